@@ -59,6 +59,8 @@ pub mod shortcut;
 #[cfg(feature = "simulate")]
 pub mod simulate;
 #[cfg(feature = "std")]
+mod tolerance;
+#[cfg(feature = "std")]
 pub mod transformation;
 #[cfg(feature = "std")]
 mod view;

@@ -44,6 +44,7 @@ pub mod read;
 mod report;
 mod rules;
 mod stream;
+pub(crate) mod tolerances;
 mod travel;
 mod vocabulary;
 

@@ -17,12 +17,10 @@ use super::dialects::{
 use super::foreign::of_another_control;
 use super::options::{ControlFunction, Demands, RetractMethod};
 use super::template::{self, OF_TOOL};
+use crate::motion::tolerances::INDEX_STEP_NOISE;
 
 /// Largest number of characters of a tool name.
 const LONGEST_TOOL_NAME: usize = 32;
-
-/// Rounding of an indexing step that is converted from degrees, as a share of it.
-const STEP_NOISE: f64 = 1e-9;
 
 /// Settings that the control does not support and a program is not safe without, and reasons why machine, control and
 /// configuration do not suit the mode. One sentence each; empty if a program can be written. In mode `auto` a setting may
@@ -51,7 +49,7 @@ fn unwritable_steps(demands: Demands<'_>) -> impl Iterator<Item = String> {
     let units_per_degree = 10_f64.powi(policy.formats.rotary.cast_signed());
     policy.options.rotaries.grid.iter().filter_map(move |(letter, step)| {
         let units = step.to_degrees() * units_per_degree;
-        let exact = units.round() >= 1.0 && (units - units.round()).abs() <= STEP_NOISE * units;
+        let exact = units.round() >= 1.0 && (units - units.round()).abs() <= INDEX_STEP_NOISE * units;
         (!exact).then(|| {
             let last = 1.0 / units_per_degree;
             format!(

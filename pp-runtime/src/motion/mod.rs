@@ -41,6 +41,7 @@ mod plan;
 mod rotary;
 mod source;
 mod step;
+pub(crate) mod tolerances;
 
 #[cfg(test)]
 mod tests;

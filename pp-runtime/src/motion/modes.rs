@@ -19,7 +19,8 @@ use nalgebra::UnitVector3;
 use crate::motion::geometry::angle_between;
 use crate::motion::options::{Mode, Policy, StretchMode};
 use crate::motion::place::UsableModes;
-use crate::motion::source::{Begins, HELD, ItemAction, MotionIndex, ProgramItem};
+use crate::motion::source::{Begins, ItemAction, MotionIndex, ProgramItem};
+use crate::motion::tolerances::HELD_AXIS;
 use crate::program::{CutterSide, Event};
 
 /// The mode of each stretch of a program, in its order.
@@ -207,7 +208,7 @@ impl OperationContent {
     }
 
     fn add_direction(&mut self, axis: &UnitVector3<f64>) {
-        let known = |other: &UnitVector3<f64>| other == axis || angle_between(axis, other) <= HELD;
+        let known = |other: &UnitVector3<f64>| other == axis || angle_between(axis, other) <= HELD_AXIS;
         if !self.directions.iter().any(known) {
             self.directions.push(*axis);
         }

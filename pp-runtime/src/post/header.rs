@@ -20,9 +20,7 @@ use crate::set_up::{LengthMode, ProgramZero, Stock, part_angles};
 
 use super::survey::{Survey, ToolUse};
 use super::{Job, operations};
-
-/// Smallest thickness of a blank that is written, mm.
-const MIN_BLANK_MM: f64 = 0.1;
+use crate::motion::tolerances::{CONVERTED_NOISE, THINNEST_BLANK};
 
 /// The header and the data that it is written from.
 pub(crate) struct Header<'a> {
@@ -474,7 +472,7 @@ impl Header<'_> {
             let [x, y, _] = config.set_up.part_origin;
             blank.round &= x.abs() <= 0.0 && y.abs() <= 0.0;
         }
-        let flat = (0..3).any(|index| blank.upper[index] - blank.lower[index] < MIN_BLANK_MM);
+        let flat = (0..3).any(|index| blank.upper[index] - blank.lower[index] < THINNEST_BLANK);
         Some(blank).filter(|_| !flat && config.set_up.length_mode == LengthMode::Tip)
     }
 
@@ -776,7 +774,7 @@ fn programmed_point(config: &Config) -> String {
 /// 360°.
 fn is_within_one_revolution(travel: Limits) -> bool {
     // Degrees of a declaration are rounded in rad.
-    travel.lower >= -1e-9 && travel.upper <= TAU + 1e-9
+    travel.lower >= -CONVERTED_NOISE && travel.upper <= TAU + CONVERTED_NOISE
 }
 
 /// `C and B`.

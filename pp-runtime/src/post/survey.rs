@@ -22,15 +22,13 @@ use crate::program::{CutterSide, Event, Location, Spindle, ToolCall};
 use crate::set_up::FurtherSetUp;
 
 use super::operations::{OperationNames, OperationSelection};
+use crate::motion::tolerances::SAME_AXIS;
 
 /// Largest number of different tools of a program; bounds the memory and the header.
 const MOST_TOOLS: usize = 1000;
 
 /// Largest number of tool changes that are known in advance, for the next tool at a tool change; bounds the memory.
 const MOST_CHANGES: usize = 10_000;
-
-/// Largest distance of a tool axis from that of the machine that is the same axis in the digits of CL data.
-const UPRIGHT: f64 = 1e-6;
 
 /// A tool of the program and its use.
 #[derive(Debug, Clone, PartialEq)]
@@ -413,7 +411,7 @@ impl Surveyor {
 
     #[inline(always)]
     fn note_axis(&mut self, at: Location, pose: &Pose) {
-        if self.survey.tilted.is_none() && (pose.axis.into_inner() - self.tool_axis.into_inner()).norm() > UPRIGHT {
+        if self.survey.tilted.is_none() && (pose.axis.into_inner() - self.tool_axis.into_inner()).norm() > SAME_AXIS {
             self.survey.tilted = Some(at);
         }
     }

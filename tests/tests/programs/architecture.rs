@@ -12,6 +12,7 @@ use tests::binaries::workspace;
 
 /// Modules that each module of pp-runtime may use; the lower layers come first.
 const RUNTIME: &[(&str, &[&str])] = &[
+    ("tolerance", &[]),
     ("kinematics", &[]),
     ("shortcut", &[]),
     ("program", &["kinematics"]),
@@ -20,9 +21,9 @@ const RUNTIME: &[(&str, &[&str])] = &[
     ("nc", &["keys", "kinematics", "program"]),
     ("set_up", &["keys", "kinematics", "program"]),
     ("cl", &["diag", "keys", "kinematics", "program", "set_up", "shortcut"]),
-    ("motion", &["diag", "keys", "kinematics", "nc", "program", "set_up", "shortcut"]),
+    ("motion", &["diag", "keys", "kinematics", "nc", "program", "set_up", "shortcut", "tolerance"]),
     ("control", &["keys", "kinematics", "motion", "nc", "program", "set_up"]),
-    ("check", &["cl", "diag", "kinematics", "program", "set_up", "shortcut"]),
+    ("check", &["cl", "diag", "kinematics", "program", "set_up", "shortcut", "tolerance"]),
     ("config", &["check", "cl", "control", "diag", "keys", "kinematics", "motion", "nc", "program", "set_up"]),
     ("post", &["check", "cl", "config", "control", "diag", "kinematics", "motion", "nc", "program", "set_up"]),
     ("transformation", &["config", "kinematics"]),

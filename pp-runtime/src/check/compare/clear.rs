@@ -20,10 +20,8 @@ use super::super::policy::LinearMeaning;
 use super::super::read::{Block, MAX_AXES};
 use super::super::rules::Rules;
 use super::{Comparison, Phase, Previous};
+use crate::check::tolerances::SAME_AXIS_VALUE;
 use crate::program::Clearance;
-
-/// Axis values that differ by less are the same, mm and rad.
-const SAME: f64 = 1e-9;
 
 /// Geometry that a rapid must stay out of.
 #[derive(Debug, Clone, Copy)]
@@ -97,7 +95,7 @@ impl KeepOut {
             let out_mm = size(&self.clearance) + words.chain().place(&to).tip.norm();
             from[retract] = to[retract] + words.outwards() * out_mm;
         }
-        let moved = |index: &usize| (from[*index] - to[*index]).abs() > SAME;
+        let moved = |index: &usize| (from[*index] - to[*index]).abs() > SAME_AXIS_VALUE;
         let straight = (0..MAX_AXES).filter(moved).count() < 2 && !words.rotary().any(|index| moved(&index));
         (!straight).then_some([from, to])
     }

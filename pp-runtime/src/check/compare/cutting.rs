@@ -12,11 +12,12 @@ use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required, Req
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between, is_within_angle};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
-use super::super::rules::{BOTH, Deviation, DeviationBound, LinkForm, ModalContext, StateFault, Stroke};
+use super::super::rules::{Deviation, DeviationBound, LinkForm, ModalContext, StateFault, Stroke};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
-use super::phase::{COMES_BACK, Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
+use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
 use super::{Comparison, Current, Findings, Previous, retract};
+use crate::check::tolerances::{BOTH, COMES_BACK};
 use crate::kinematics::math::smaller;
 use crate::program::{Drilling, Feed, Location};
 use crate::shortcut::Shortcut;

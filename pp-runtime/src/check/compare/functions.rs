@@ -11,18 +11,10 @@ use super::super::read::{
 };
 use super::super::rules::Rules;
 use super::phase::Phase;
+use crate::check::tolerances::{ROUNDED_GUARD, ROUNDED_TOLERANCE, SHORT_SPINDLE_DWELL, THINNEST_BLANK};
 use crate::kinematics::Axis;
 use crate::program::Rotation;
 use crate::set_up::{LengthMode, ProgramZero};
-
-/// Tolerances are written to six decimals, in the unit of the program.
-const ROUNDED: f64 = 6e-7;
-
-/// Thickness below which a blank is not written, mm.
-const THINNEST_BLANK_MM: f64 = 0.1;
-
-/// Rounding of the numbers of a guard, mm.
-const GUARD_ROUNDING: f64 = 1e-3;
 
 /// State of the functions.
 #[derive(Debug, Clone, Default)]
@@ -89,7 +81,7 @@ impl FunctionState {
         if guard.source == LengthSource::Edge && !matches!(length, Some(Length::Register(_))) {
             return Some("the length guard reads the length of the active edge, and none is active".to_owned());
         }
-        if (expected - guard.length_mm).abs() > GUARD_ROUNDING {
+        if (expected - guard.length_mm).abs() > ROUNDED_GUARD {
             let length = guard.length_mm;
             return Some(format!("the length guard compares with {length} mm, but the tool length is {expected} mm"));
         }
@@ -97,7 +89,7 @@ impl FunctionState {
             return Some("the length guard reads the length of another tool, register or edge".to_owned());
         }
         let largest = rules.policy().shop.length_guard_mm?;
-        if guard.tolerance_mm > largest + GUARD_ROUNDING {
+        if guard.tolerance_mm > largest + ROUNDED_GUARD {
             let tolerance = guard.tolerance_mm;
             return Some(format!("the length guard allows a difference of {tolerance} mm, expected {largest} mm"));
         }
@@ -123,7 +115,7 @@ impl FunctionState {
         }
         let largest = shop.largest_wear_mm;
         match self.radius_guard_mm {
-            Some(allowed) if allowed <= largest + GUARD_ROUNDING => None,
+            Some(allowed) if allowed <= largest + ROUNDED_GUARD => None,
             Some(allowed) => Some(format!("the guard of the tool radius allows {allowed} mm, expected {largest} mm")),
             None => Some("the guard of the tool radius, which must be wear only, is missing".to_owned()),
         }
@@ -147,7 +139,7 @@ impl FunctionState {
         }
         let set_up = &rules.policy().set_up;
         let mut stock = set_up.stock.filter(|_| set_up.length_mode == LengthMode::Tip)?;
-        if (0..3).any(|index| stock.upper[index] - stock.lower[index] < THINNEST_BLANK_MM) {
+        if (0..3).any(|index| stock.upper[index] - stock.lower[index] < THINNEST_BLANK) {
             return None;
         }
         if set_up.program_zero == ProgramZero::Table {
@@ -232,7 +224,7 @@ impl FunctionState {
         }
         self.rotation = rotation;
         match block.action {
-            Action::Dwell(seconds) if seconds >= dwell - 1e-3 => self.dwell_is_due = false,
+            Action::Dwell(seconds) if seconds >= dwell - SHORT_SPINDLE_DWELL => self.dwell_is_due = false,
             _ if rotation.is_none() => self.dwell_is_due = false,
             action if action.cuts() && std::mem::take(&mut self.dwell_is_due) => {
                 return Some(format!("the dwell of {dwell} s after the start of the spindle is missing"));
@@ -395,7 +387,7 @@ fn letter(rules: &Rules<'_>, bits: u16) -> Option<char> {
 /// Whether tolerances of smoothing for rotary axes are the same, as far as they are rounded.
 fn is_angle(angles: [Option<f64>; 2]) -> bool {
     match angles.map(|angle| angle.map(f64::to_degrees)) {
-        [Some(expected), Some(written)] => (expected - written).abs() <= ROUNDED,
+        [Some(expected), Some(written)] => (expected - written).abs() <= ROUNDED_TOLERANCE,
         [expected, written] => expected.is_none() && written.is_none(),
     }
 }
@@ -403,7 +395,7 @@ fn is_angle(angles: [Option<f64>; 2]) -> bool {
 /// Whether a programmed tolerance is the one that is required.
 fn is_blending(tolerance_mm: Option<f64>, required_mm: f64, rules: &Rules<'_>) -> bool {
     let off = tolerance_mm.map(|written| (written - required_mm).abs());
-    off.is_some_and(|off| off <= ROUNDED * rules.units().in_mm())
+    off.is_some_and(|off| off <= ROUNDED_TOLERANCE * rules.units().in_mm())
 }
 
 fn angle_shown(angle_rad: Option<f64>) -> String {

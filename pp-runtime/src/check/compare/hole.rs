@@ -2,27 +2,15 @@
 //!
 //! The retract out of the hole after each step is the control's own affair.
 
-use super::super::expect::{ExpectedHole, SAME_LEVEL, SpindleState};
+use super::super::expect::{ExpectedHole, SpindleState};
 use super::super::geometry::{ToolPose, angle_between, tool_pose};
 use super::super::read::{Block, CycleKind, CycleMove, FeedMode, FineBore, MAX_AXES};
 use super::super::rules::{Rules, Stroke};
+use crate::check::tolerances::{
+    ROUNDED_CYCLE_LENGTH, ROUNDED_DWELL, ROUNDED_ORIENT_DEG, ROUNDED_PITCH, SAME_BORE_DIRECTION, SAME_LEVEL,
+};
 use crate::kinematics::math::hypot;
 use crate::program::{Drilling, Dwell, Feed, Hole, Rotation};
-
-/// Dwells are written to a thousandth of a second, s.
-const DWELL_ROUNDING: f64 = 6e-4;
-
-/// Largest relative error of a pitch: 4 µm in a thread 20 mm long.
-const PITCH: f64 = 2e-4;
-
-/// Rounding of the angle at which the spindle stops, degrees.
-const ORIENT_ROUNDING: f64 = 6e-4;
-
-/// Difference of two directions along axes.
-const SAME_DIRECTION: f64 = 1e-6;
-
-/// Rounding of a length, in units of its word.
-const ROUNDED: f64 = 0.51;
 
 /// A cycle and the hole that it is to make.
 pub(super) struct CycleComparison<'c> {
@@ -180,19 +168,19 @@ impl CycleComparison<'_> {
         };
         let (shop, angle) = (&self.rules.policy().shop, orient_rad.to_degrees());
         let [x, y] = shop.bore_direction;
-        if let Some(direction) = bore.direction.filter(|[a, b]| (a - x).abs() + (b - y).abs() > SAME_DIRECTION) {
+        if let Some(direction) = bore.direction.filter(|[a, b]| (a - x).abs() + (b - y).abs() > SAME_BORE_DIRECTION) {
             return Some(format!(
                 "the tool leaves the wall of the bore along X{} Y{}, expected X{x} Y{y} (`cycles.bore_retract`)",
                 direction[0], direction[1]
             ));
         }
         if let Some(shift) = bore.shift_mm
-            && (shift - shop.bore_shift_mm).abs() > ROUNDED * self.rules.rounding().unit_mm
+            && (shift - shop.bore_shift_mm).abs() > ROUNDED_CYCLE_LENGTH * self.rules.rounding().unit_mm
         {
             let expected = shop.bore_shift_mm;
             return Some(format!("the tool leaves the wall of the bore by {shift} mm, expected {expected} mm"));
         }
-        let written = bore.angle_deg.filter(|written| (written - angle).abs() > ORIENT_ROUNDING);
+        let written = bore.angle_deg.filter(|written| (written - angle).abs() > ROUNDED_ORIENT_DEG);
         written.map(|written| format!("the spindle stops at {written}°, expected {angle}°"))
     }
 
@@ -204,7 +192,7 @@ impl CycleComparison<'_> {
             (CycleKind::ChipBreak(_) | CycleKind::Peck(_), _) => self.rules.policy().defaults.peck_gap_mm,
             _ => return None,
         };
-        ((gap - expected).abs() > ROUNDED * self.rules.rounding().unit_mm)
+        ((gap - expected).abs() > ROUNDED_CYCLE_LENGTH * self.rules.rounding().unit_mm)
             .then(|| format!("the cycle returns to {gap} mm above the last depth, expected {expected} mm"))
     }
 
@@ -230,7 +218,8 @@ impl CycleComparison<'_> {
         let speed = self.spindle.map(|(speed, _)| speed);
         let left = matches!(self.spindle, Some((_, Rotation::CounterClockwise)));
         let expected = stated.or_else(|| per_revolution(self.hole.feed, speed));
-        expected.is_some_and(|expected| (pitch.abs() - expected).abs() <= PITCH * expected) && (pitch < 0.0) == left
+        expected.is_some_and(|expected| (pitch.abs() - expected).abs() <= ROUNDED_PITCH * expected)
+            && (pitch < 0.0) == left
     }
 
     fn feed_fault(&self) -> Option<String> {
@@ -264,7 +253,7 @@ impl CycleComparison<'_> {
             (Some(Dwell::Revolutions(count)), Some((speed, _))) => count / speed * 60.0,
             (Some(Dwell::Revolutions(_)), None) | (None, _) => 0.0,
         };
-        ((self.cycle.dwell - seconds).abs() > DWELL_ROUNDING)
+        ((self.cycle.dwell - seconds).abs() > ROUNDED_DWELL)
             .then(|| format!("the cycle dwells for {} s at the bottom, expected {seconds} s", self.cycle.dwell))
     }
 }

@@ -7,21 +7,16 @@ use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, SpindleState}
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::{LinearMeaning, RetractRule};
 use super::super::read::{Action, Block, Effect, Length, OwnLine, OwnPlace, TipControl, stated};
-use super::super::rules::{BOTH, FrameUse, ModalContext, fault_at_end, tool_name};
+use super::super::rules::{FrameUse, ModalContext, fault_at_end, tool_name};
 use super::functions::place_of_line;
-use super::phase::{COMES_BACK, Cutting, Phase, Retracted, RetractedLength, RewindPoint};
+use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
 use super::station::Station;
 use super::{Comparison, Current, StartState, machine_move, parking, plane_guard, retract};
+use crate::check::tolerances::{ALONG_PLANE_NORMAL, BOTH, COMES_BACK, ROUNDED_DWELL};
 use crate::program::Clearance;
-
-/// Largest angle between the tool axis and the normal of its plane where words have many decimals, rad.
-const IN_PLANE: f64 = 5e-4;
 
 /// Number of items on which an approach may depend.
 const FOR_APPROACH: usize = 8;
-
-/// Dwells are written to three decimals, s.
-const DWELL_ROUNDING: f64 = 6e-4;
 
 impl Comparison<'_> {
     /// INSERT, codes of the CL data and statements of the shop: a block that is copied.
@@ -201,7 +196,7 @@ impl Comparison<'_> {
         let known = self.previous.known & rotary == rotary;
         let words = self.rules.words();
         let [axis, normal] = [words.tool_axis_at(&self.previous.words), words.place(&self.previous.words, state).axis];
-        if known && angle_between(&axis, &normal) > IN_PLANE.max(self.rules.rounding().of_plane_rad()) {
+        if known && angle_between(&axis, &normal) > ALONG_PLANE_NORMAL.max(self.rules.rounding().of_plane_rad()) {
             self.found(current, "the plane call rotates the rotary axes: they are not where the plane has them");
         }
         if let Some(higher) = tilt.pose.filter(|_| known)
@@ -937,7 +932,7 @@ impl Comparison<'_> {
         self.pass_needless(phase)?;
         if let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds: expected, .. }, required, .. }) =
             self.progress.next()
-            && (expected - seconds).abs() <= DWELL_ROUNDING
+            && (expected - seconds).abs() <= ROUNDED_DWELL
         {
             let (tool, called) = (current.block.state.tool, required.tool);
             let spindles = std::iter::once(required.spindle).chain(self.progress.requested_spindle());
@@ -960,7 +955,7 @@ impl Comparison<'_> {
             return Ok(());
         }
         let spindle = self.rules.policy().links.spindle_dwell_s;
-        if spindle <= 0.0 || (spindle - seconds).abs() > DWELL_ROUNDING {
+        if spindle <= 0.0 || (spindle - seconds).abs() > ROUNDED_DWELL {
             self.found(current, &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"));
         }
         Ok(())

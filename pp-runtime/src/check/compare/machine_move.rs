@@ -4,21 +4,19 @@ use super::super::policy::RetractRule;
 use super::super::read::{Action, Block};
 use super::super::rules::Rules;
 use super::Previous;
+use crate::check::tolerances::ROUNDED_WORD;
 use crate::kinematics::{Axis, AxisKind};
 
 /// Where the configuration has other positions.
 const KEYS: &str =
     "other positions of the axes have keys: `park`, `retract.tool_change_position`, `cycles.tool_position`";
 
-/// Largest distance from a position of the machine, in units of a word.
-const AT_POSITION: f64 = 0.6;
-
 /// What is wrong with a block as the machine retract.
 pub(super) fn fault_of_retract(rules: &Rules<'_>, previous: &Previous, block: &Block) -> Option<String> {
     let (index, links) = (rules.words().retract(), &rules.policy().links);
     let position = links.retract_mm;
     let alone = block.written == 1 << index;
-    let there = || (block.values[index] - position).abs() <= AT_POSITION * rules.rounding().unit_mm;
+    let there = || (block.values[index] - position).abs() <= ROUNDED_WORD * rules.rounding().unit_mm;
     // Out of tip control that ends with the length offset, the block of machine coordinates ends both.
     let ends_tip_control = previous.tip_control && rules.facts().length_ends_tip_control;
     let coordinate = match links.retract {
@@ -56,7 +54,7 @@ pub(super) fn goes_home(rules: &Rules<'_>, block: &Block) -> bool {
     let links = &rules.policy().links;
     let Some(home) = &links.home_mm else { return false };
     let all = others(rules).fold(0, |bits, (index, _)| bits | 1 << index);
-    let largest = AT_POSITION * rules.rounding().unit_mm;
+    let largest = ROUNDED_WORD * rules.rounding().unit_mm;
     let there = |(index, axis): (usize, &Axis)| {
         home.get(&axis.letter).is_some_and(|position| (block.values[index] - position).abs() <= largest)
     };

@@ -5,10 +5,8 @@ use std::collections::BTreeMap;
 use super::super::read::{Block, MAX_AXES};
 use super::super::rules::{Rules, apart};
 use super::Previous;
+use crate::check::tolerances::ROUNDED_WORD;
 use crate::kinematics::Axis;
-
-/// Largest distance from such a position, in units of a word.
-const AT_PLACE: f64 = 0.6;
 
 /// Whether a block moves rotary axes to their places, or nearer to them: an axis that takes the shorter way goes
 /// there in steps of less than half a revolution, and the others with it.
@@ -20,7 +18,7 @@ pub(super) fn moves_rotary(
 ) -> bool {
     let values = rules.words().values(&block.values);
     let before = rules.words().values(&previous.words);
-    let largest = AT_PLACE * rules.rounding().unit_rad;
+    let largest = ROUNDED_WORD * rules.rounding().unit_rad;
     let there = |index: usize, place: f64| apart(values[index], place) <= largest;
     let known = |index: usize| previous.known & (1 << index) != 0;
     let nearer = |index: usize, place: f64| known(index) && apart(values[index], place) < apart(before[index], place);
@@ -41,7 +39,7 @@ pub(super) fn moves_rotary(
 
 /// Whether a block moves linear axes to their places.
 pub(super) fn moves_linear(rules: &Rules<'_>, places: &BTreeMap<char, f64>, block: &Block) -> bool {
-    let largest = AT_PLACE * rules.rounding().unit_mm;
+    let largest = ROUNDED_WORD * rules.rounding().unit_mm;
     let at = |(index, axis): (usize, &Axis)| {
         let place = places.get(&axis.letter);
         block.written & (1 << index) == 0 || place.is_some_and(|place| (block.values[index] - place).abs() <= largest)
@@ -57,7 +55,7 @@ pub(super) fn missing(
     words: &[f64; MAX_AXES],
 ) -> impl Iterator<Item = char> {
     let values = rules.words().values(words);
-    let (unit_mm, largest) = (rules.rounding().unit_mm, AT_PLACE * rules.rounding().unit_rad);
+    let (unit_mm, largest) = (rules.rounding().unit_mm, ROUNDED_WORD * rules.rounding().unit_rad);
     let (rotary, retract) = (rules.words().rotary_bits(), rules.words().retract());
     let solved = rules.axes().iter().enumerate().filter(|(_, axis)| !axis.held);
     solved.filter_map(move |(index, axis)| {

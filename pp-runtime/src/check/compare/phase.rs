@@ -8,14 +8,8 @@ use super::super::expect::{ExpectedItem, Required};
 use super::super::geometry::{Segment, ToolPose, is_within_angle};
 use super::super::policy::LinearMeaning;
 use super::super::read::{Action, MAX_AXES};
-use super::super::rules::SHARE;
+use crate::check::tolerances::{ALONG_TOOL_AXIS, NO_DIRECTION, SAME_POINT};
 use crate::program::Feed;
-
-/// A motion within this angle of the tool axis leads along it, rad.
-const ALONG_AXIS: f64 = 1e-3;
-
-/// Points of CL data within this distance are one point, rounded to three decimals of a millimetre or four of an inch, mm.
-const SAME_POINT: f64 = 0.005;
 
 /// Phase of a program.
 #[derive(Debug, Clone)]
@@ -107,10 +101,6 @@ pub(super) struct RewindPoint {
     /// The coolant was on in the retract, which is right only if the cut continues.
     pub(crate) wet: bool,
 }
-
-/// Allowances within which the tool comes back to the point at which a cut was interrupted: the words with which it left and
-/// those with which it comes back are both rounded.
-pub(super) const COMES_BACK: f64 = 2.0;
 
 /// Length of the last motions out along the tool axis.
 #[derive(Debug, Clone, Copy, Default)]
@@ -254,7 +244,7 @@ impl RetractedLength {
     /// Adds the motion to a pose.
     pub(super) fn follow(&mut self, to: &ToolPose) {
         let from = self.from.replace(*to).unwrap_or(*to);
-        if !is_within_angle(&from.axis, &to.axis, ALONG_AXIS) {
+        if !is_within_angle(&from.axis, &to.axis, ALONG_TOOL_AXIS) {
             (self.out_mm, self.end) = (0.0, None);
             return;
         }
@@ -263,9 +253,9 @@ impl RetractedLength {
         let across = (step - to.axis * along).norm();
         let (out_mm, end) = if self.end.is_some_and(|end| (to.tip - end).norm() <= SAME_POINT) {
             return;
-        } else if along > SHARE && across <= ALONG_AXIS * along {
+        } else if along > NO_DIRECTION && across <= ALONG_TOOL_AXIS * along {
             (self.out_mm + along, Some(to.tip))
-        } else if along.abs() > SHARE || across > SHARE {
+        } else if along.abs() > NO_DIRECTION || across > NO_DIRECTION {
             (0.0, None)
         } else {
             return;

@@ -4,15 +4,7 @@ use super::Previous;
 use super::phase::Phase;
 use crate::check::read::RotaryGuard;
 use crate::check::rules::Rules;
-
-/// Largest sum of |sin(d/2)| over the differences d: 0.1 degrees of one axis.
-const LARGEST: f64 = 0.0009;
-
-/// Positions that differ by less are the same, rad: rounding of the numbers of a guard.
-const SAME: f64 = 1e-6;
-
-/// Rotation of the tool axis with a rotary axis from which on the tool axis fixes its position, rad per rad.
-const FIXES: f64 = 0.03;
+use crate::check::tolerances::{GUARDED_SINES, LEAST_GUARDED_RATE, ROUNDED_GUARD_POSITION};
 
 /// What is wrong with a guard, which is no longer due.
 pub(super) fn fault(guard: &RotaryGuard, phase: &mut Phase, rules: &Rules<'_>, previous: &Previous) -> Option<String> {
@@ -28,13 +20,13 @@ pub(super) fn fault(guard: &RotaryGuard, phase: &mut Phase, rules: &Rules<'_>, p
         }
     };
     retracted.plane_guard_due = false;
-    if guard.largest > LARGEST * 1.01 {
+    if guard.largest > GUARDED_SINES * 1.01 {
         let largest = guard.largest;
-        return Some(format!("the guard of the rotary positions allows {largest}, expected {LARGEST}"));
+        return Some(format!("the guard of the rotary positions allows {largest}, expected {GUARDED_SINES}"));
     }
     let differs = |(axis, position): &(usize, f64)| {
         let known = previous.known & (1 << axis) != 0;
-        known && ((previous.words[*axis] - position) / 2.0).sin().abs() > SAME
+        known && ((previous.words[*axis] - position) / 2.0).sin().abs() > ROUNDED_GUARD_POSITION
     };
     if let Some((axis, position)) = guard.positions.into_iter().flatten().find(differs) {
         let letter = rules.axes()[axis].letter;
@@ -54,7 +46,7 @@ pub(super) fn missing(rules: &Rules<'_>, previous: &Previous) -> Option<String> 
 fn uncompared(compared: u16, rules: &Rules<'_>, previous: &Previous) -> Option<String> {
     let words = rules.words();
     let (_, rates) = words.chain().axis_rates(&words.values(&previous.words));
-    let fixes = rules.rounding().fixes_rotaries(2.0 * LARGEST)?.max(FIXES);
+    let fixes = rules.rounding().fixes_rotaries(2.0 * GUARDED_SINES)?.max(LEAST_GUARDED_RATE);
     let due = |index: &usize| compared & (1 << index) == 0 && rates[*index].norm() > fixes;
     let index = words.rotary().find(due).filter(|_| previous.known & words.rotary_bits() == words.rotary_bits())?;
     let letter = rules.axes()[index].letter;

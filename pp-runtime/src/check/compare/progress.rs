@@ -7,14 +7,9 @@ use std::rc::Rc;
 use super::super::expect::{ClMotion, Expect, ExpectedAction, ExpectedItem, ExpectedMessage, Required, SpindleState};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::rules::{Arrival, Rules};
+use crate::check::tolerances::{ON_LINE, SAME_AXIS};
 use crate::diag::Diagnostic;
 use crate::program::Location;
-
-/// A point this near to a line lies on it, mm.
-const ON_LINE: f64 = 1e-3;
-
-/// The same tool axis, rad.
-const SAME_AXIS: f64 = 1e-6;
 
 /// The place of a program in its CL data: the next item, and how much of it is done.
 pub(super) struct ClProgress<'a> {

@@ -1,14 +1,9 @@
 //! The retract along the tool axis before a machine retract.
 
 use super::super::geometry::{ToolPose, angle_between, distance_out};
-use super::super::rules::{BOTH, Rules};
+use super::super::rules::Rules;
+use crate::check::tolerances::{BOTH, LEADS_OUT, SAME_AXIS};
 use crate::program::Clearance;
-
-/// The same tool axis, rad.
-const SAME_AXIS: f64 = 1e-6;
-
-/// A retract that is longer than this leads out, mm.
-const LEADS_OUT: f64 = 1e-3;
 
 /// Length of the retract from where it began, mm; `done_mm` of it is done. `None` where the axis does not lead out of the
 /// clearance geometry.

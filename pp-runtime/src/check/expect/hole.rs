@@ -1,17 +1,9 @@
 //! The motions of a hole, level by level.
 
 use super::super::geometry::{ToolPose, angle_between, tool_pose};
+use crate::check::tolerances::{MOST_HOLE_STEPS, SAME_AXIS, SAME_LEVEL};
 use crate::kinematics::Pose;
 use crate::program::{Drilling, Dwell, Hole, Move};
-
-/// Levels closer than this are the same, mm.
-pub(crate) const SAME_LEVEL: f64 = 1e-9;
-
-/// Tool axes of one hole and the next, rad.
-const SAME_AXIS: f64 = 1e-6;
-
-/// Largest number of steps of a hole: the planner refuses more.
-const MOST_STEPS: usize = 10_000;
 
 /// A hole that is expected.
 #[derive(Debug, Clone, Copy)]
@@ -73,7 +65,7 @@ pub(crate) fn unfolded(hole: &Hole, here: Option<&Pose>, peck_gap_mm: f64) -> Ve
         }
     };
     let mut depth = first.min(hole.depth_mm);
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MOST_HOLE_STEPS {
         if depth > hole.depth_mm - SAME_LEVEL {
             depth = hole.depth_mm;
         }

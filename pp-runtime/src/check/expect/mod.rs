@@ -21,7 +21,7 @@ use crate::program::{Clearance, Event, Feed, Location, Rotation, Units};
 use super::geometry::{PathShape, ToolPose};
 use super::policy::{CheckPolicy, LinearMeaning, SmoothingLevel};
 use super::read::Side;
-pub(super) use hole::{ExpectedHole, SAME_LEVEL};
+pub(super) use hole::ExpectedHole;
 use modal::ClState;
 pub(super) use modal::legible;
 use placement::Placement;

@@ -10,19 +10,13 @@ use super::super::read::{LengthRegisters, Side, coolant};
 use super::hole::{ExpectedHole, HoleStep, unfolded};
 use super::operations::{self, RulesInForce};
 use super::{ClMotion, ExpectedAction, ExpectedItem, ExpectedMessage, Required, RequiredSmoothing, SpindleState};
+use crate::check::tolerances::{IN_CUTTER_PLANE, SAME_POSE};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
 use crate::program::{
     Arc, Clearance, Compensation, Coolant, Coolants, CutterSide, Drilling, Dwell, Event, Feed, Hole, Location, Move,
     Pressure, Rotation, Spindle, Spline, ToolCall,
 };
-
-/// A line is perpendicular to the tool within this height, mm, or half a unit of coarser words: points of CL data are
-/// rounded.
-const PERPENDICULAR: f64 = 2e-3;
-
-/// Largest distance of equal points, mm, and of equal tool axes.
-const SAME_POINT: f64 = 1e-9;
 
 /// Modal state of the CL data.
 pub(super) struct ClState<'a> {
@@ -485,7 +479,7 @@ impl<'a> ClState<'a> {
         let from = self.here.filter(|_| self.goes_on && self.operation.starts && !motion.rapid && self.hole.is_none());
         if let Some(pose) = from.filter(|from| {
             let apart = [from.tip - motion.pose.tip, from.axis.into_inner() - motion.pose.axis.into_inner()];
-            apart.iter().any(|step| step.norm() > SAME_POINT)
+            apart.iter().any(|step| step.norm() > SAME_POSE)
         }) {
             self.motion(at, &Move { pose, ..*motion }, PathShape::Line);
         }
@@ -496,7 +490,7 @@ impl<'a> ClState<'a> {
         let Some(here) = self.here.filter(|_| !self.operation.starts && !motion.rapid) else { return false };
         let step = motion.pose.tip - here.tip;
         let along = step.dot(&motion.pose.axis);
-        along.abs() <= PERPENDICULAR.max(0.5 * self.unit_mm)
+        along.abs() <= IN_CUTTER_PLANE.max(0.5 * self.unit_mm)
             && (step.norm_squared() - along * along).sqrt() >= self.unit_mm
     }
 

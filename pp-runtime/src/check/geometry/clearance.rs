@@ -10,6 +10,7 @@ use nalgebra::Vector3;
 
 use super::super::read::MAX_AXES;
 use super::{Chain, TipRegion};
+use crate::check::tolerances::LEADS_TO_PLANE;
 use crate::program::Clearance;
 
 /// Share of the largest depth that is reported at least.
@@ -17,9 +18,6 @@ const NEARLY: f64 = 0.95;
 
 /// Largest number of boxes that are examined for one motion; the rest counts as inside.
 const MOST_BOXES: usize = 20_000;
-
-/// Smallest cosine between the tool axis and the normal of a clearance plane.
-const LEADS_TO_PLANE: f64 = 1e-3;
 
 /// Sections and bisections: the interval is 1e-18 of the first one after them.
 const STEPS: u32 = 100;

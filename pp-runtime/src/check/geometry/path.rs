@@ -9,28 +9,12 @@ use std::rc::Rc;
 use nalgebra::{Point3, Vector2, Vector3};
 
 use super::ToolPose;
+use crate::check::tolerances::{
+    ANGLE_NOISE, BEFORE_LAST_POINT, NARROW_ARC, NEARLY_SAME_ARC, NO_DIRECTION, SMALL_ANGLE,
+};
 use crate::kinematics::Pose;
 use crate::kinematics::math::{hypot, larger, smaller};
 use crate::program::Arc;
-
-/// Angle below which the chord of an arc of axes is the arc, rad.
-const NARROW: f64 = 1e-7;
-
-/// Relative difference of angles that is rounding.
-const SAME_ANGLE: f64 = 1e-9;
-
-/// A motion whose square is shorter than this has no direction, mm².
-const POINT: f64 = 1e-18;
-
-/// An angle whose tangent is the angle, and whose cosine is 1 less half its square, for distances to a nanometre; rad.
-const SMALL: f64 = 1e-3;
-
-/// Largest distance of the centres of two arcs that are nearly the same, as a share of the radius; and largest angle between their
-/// beginnings or ends, rad.
-const ABOUT: f64 = 1e-2;
-
-/// Rounding may put a point of an arc so far before the one before it, mm.
-const ROUNDED: f64 = 1e-3;
 
 /// What the tip follows.
 ///
@@ -78,7 +62,7 @@ pub(crate) struct Segment {
 /// The axes of a motion that rotates the tool evenly: part of a great circle.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum AxisArc {
-    /// Shorter than [`NARROW`]; `half`: half its angle, rad.
+    /// Shorter than [`NARROW_ARC`]; `half`: half its angle, rad.
     Narrow { middle: Vector3<f64>, half: f64 },
     /// `sides`: towards the arc from each of its ends, perpendicular to the axis there.
     Wide { from: Vector3<f64>, to: Vector3<f64>, normal: Vector3<f64>, sides: [Vector3<f64>; 2] },
@@ -98,7 +82,7 @@ pub(crate) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
 pub(crate) fn is_within_angle(a: &Vector3<f64>, b: &Vector3<f64>, largest: f64) -> bool {
     let squared = (a - b).norm_squared();
     let chord = squared.sqrt();
-    chord * (1.0 + SAME_ANGLE + squared / 7.0) <= largest || chord <= largest && angle_between(a, b) <= largest
+    chord * (1.0 + ANGLE_NOISE + squared / 7.0) <= largest || chord <= largest && angle_between(a, b) <= largest
 }
 
 impl ArcPath {
@@ -132,13 +116,13 @@ impl ArcPath {
         let from = point - self.centre;
         let (a, b, height) = (from.dot(&self.u), from.dot(&self.v), from.dot(&self.normal));
         let (outwards, ahead) = (a * cosine + b * sine, b * cosine - a * sine);
-        if ahead.abs() > outwards * SMALL {
+        if ahead.abs() > outwards * SMALL_ANGLE {
             return None;
         }
         let same_angle = (angle + ahead / outwards) / self.angle;
         let share = self.foot_at(height, same_angle);
         let turned = (share - same_angle) * self.angle;
-        if !(0.0..=1.0).contains(&share) || turned.abs() > SMALL {
+        if !(0.0..=1.0).contains(&share) || turned.abs() > SMALL_ANGLE {
             return None;
         }
         let (distance, radius) = ((a * a + b * b).sqrt(), between(self.radii, share));
@@ -165,7 +149,8 @@ impl ArcPath {
         let (radius, centre_off) = (start.norm(), off.norm());
         let turned = towards.perp(&start) / towards.dot(&start);
         let square = Vector2::new(-start.y, start.x);
-        let is_about_it = turned.abs() <= ABOUT && towards.dot(&start) > 0.0 && centre_off <= radius * ABOUT;
+        let is_about_it =
+            turned.abs() <= NEARLY_SAME_ARC && towards.dot(&start) > 0.0 && centre_off <= radius * NEARLY_SAME_ARC;
         let same_sense = quarter.dot(&square) > 0.0;
         let (sine, cosine) = tip.angle.sin_cos();
         let end = start * cosine + square * sine;
@@ -173,7 +158,7 @@ impl ArcPath {
         let about = |place: &Vector2<f64>| place.perp(&off) / (radius * radius + place.dot(&off));
         let first = begin + turned + about(&start);
         let last = begin + turned + tip.angle + about(&end);
-        let is_part = self.angle > 0.0 && first >= -ABOUT && last <= self.angle + ABOUT;
+        let is_part = self.angle > 0.0 && first >= -NEARLY_SAME_ARC && last <= self.angle + NEARLY_SAME_ARC;
         if !(is_about_it && same_sense && is_part) {
             return None;
         }
@@ -240,7 +225,7 @@ impl ArcPath {
         let round = self.angle * f64::midpoint(self.radii[0], self.radii[1]);
         let off = height - self.heights[0] - rise * share;
         let whole = rise * rise + round * round;
-        if whole > POINT { share + off * rise / whole } else { share }
+        if whole > NO_DIRECTION * NO_DIRECTION { share + off * rise / whole } else { share }
     }
 
     /// The nearest share whose angle is that of a point, as near behind `after` as a turn lets it be.
@@ -250,7 +235,7 @@ impl ArcPath {
         let on = angle + turns * TAU;
         // Rounding may have put the point a little before the place where the last block ended.
         let back = on - TAU;
-        let slack = (ROUNDED / self.radii[0].max(ROUNDED)) + 1e-9;
+        let slack = (BEFORE_LAST_POINT / self.radii[0].max(BEFORE_LAST_POINT)) + ANGLE_NOISE;
         let chosen = if after * self.angle - back < slack { back } else { on };
         self.foot(point, chosen / self.angle).clamp(0.0, 1.0 + TAU / self.angle)
     }
@@ -279,7 +264,7 @@ impl Segment {
         let (a, b) = (&self.from.axis, &self.to.axis);
         let normal = a.cross(b);
         let sine = normal.norm();
-        if sine < NARROW {
+        if sine < NARROW_ARC {
             return a + (b - a) * share;
         }
         let angle = sine.atan2(a.dot(b));
@@ -335,7 +320,7 @@ impl Segment {
                     (0.0, 0.0)
                 };
                 let whole = line.norm_squared() + weight * turn * turn;
-                if whole > POINT { (along + weight * turned) / whole } else { 1.0 }
+                if whole > NO_DIRECTION * NO_DIRECTION { (along + weight * turned) / whole } else { 1.0 }
             }
             PathShape::Arc(round) => round.share(&pose.tip, after),
             PathShape::Cubic(points) => nearest(points, &pose.tip, after, near),
@@ -353,7 +338,7 @@ impl Segment {
         let (from, to) = (self.from.axis, self.to.axis);
         let normal = from.cross(&to);
         let sine = normal.norm();
-        if sine < NARROW {
+        if sine < NARROW_ARC {
             return AxisArc::Narrow { middle: self.axis_at(0.5), half: 0.5 * self.turn() };
         }
         let normal = normal / sine;
@@ -368,7 +353,7 @@ impl AxisArc {
         let far = match self {
             Self::Narrow { .. } => false,
             Self::Wide { from, to, normal, sides } => {
-                let least = angle * (1.0 + SAME_ANGLE);
+                let least = angle * (1.0 + ANGLE_NOISE);
                 let beside = sides.iter().any(|side| side.dot(axis) < 0.0);
                 let chord = |end: &Vector3<f64>| (axis - end).norm();
                 if beside { chord(from).min(chord(to)) > least } else { normal.dot(axis).abs() > least }

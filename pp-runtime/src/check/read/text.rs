@@ -1,5 +1,7 @@
 //! Bytes of a line: numbers, names, blanks.
 
+use crate::check::tolerances::{CODE_IN_TENTHS, SAME_NUMBER};
+
 /// A number as it is written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Number {
@@ -317,9 +319,6 @@ fn value_of(digits: u64) -> u64 {
     (fours * 10_000 + (fours >> 32)) & 0xFFFF_FFFF
 }
 
-/// Numbers nearer than this are the same number: none is written with so many decimals.
-const SAME_NUMBER: f64 = 1e-9;
-
 /// Whether two numbers are written alike.
 pub(super) fn same(one: f64, other: f64) -> bool {
     (one - other).abs() < SAME_NUMBER
@@ -334,7 +333,7 @@ pub(super) fn whole(number: Number) -> Option<u32> {
 /// A code in tenths: 91.1 is 911.
 pub(super) fn tenths(number: Number) -> Option<u32> {
     let tenths = (number.value * 10.0).round();
-    let exact = (number.value * 10.0 - tenths).abs() < 1e-6;
+    let exact = (number.value * 10.0 - tenths).abs() < CODE_IN_TENTHS;
     (exact && !number.negative && tenths <= 100_000.0).then_some(tenths as u32)
 }
 

@@ -9,30 +9,13 @@ use super::super::expect::Required;
 use super::super::policy::{CheckPolicy, FeedPath, LinearMeaning};
 use super::super::read::{Facts, FeedMode, MAX_AXES, State, set_bits};
 use super::{Deviation, tip_rates};
+use crate::check::tolerances::{
+    EXCURSION, F_NOISE, FASTER, LEVER, PERPENDICULAR_AXES, RESTING_BLOCK, ROUNDED_BLOCK_LENGTH, SLOWED_BY_ROUNDING,
+    TIME_BOUND,
+};
 use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::program::{Feed, Units};
-
-/// Share by which sums of floating-point numbers may differ.
-const NOISE: f64 = 1e-9;
-
-/// Share of the slowest axis that a tool axis rotated by rounding may cost.
-const NEARLY: f64 = 0.99;
-
-/// Factor by which an axis may move farther within a block than its ends are apart, where the control finds the angles.
-const EXCURSION: f64 = 2.0;
-
-/// Largest speed of the tip in units of its feed.
-const FASTER: f64 = 1.01;
-
-/// Largest change of the length of a block by the rounding of its words, in units of the linear words.
-const ROUNDED_UNITS: f64 = 2.0;
-
-/// Time written for a block without a motion, minutes.
-const NOTHING: f64 = 1e-3;
-
-/// Ratio of the motion of the linear axes to that of the tip above which the tool axis decides the ends of a block.
-const LEVER: f64 = 10.0;
 
 /// Motion of one feed block.
 #[derive(Debug, Clone)]
@@ -59,9 +42,6 @@ impl Stroke {
         if rate_mm > 0.0 { Self { tip_rate_mm: tip_rates(rate_mm, required), ..self } } else { self }
     }
 }
-
-/// Largest ratio of the time of a block, where the speeds of axes within it are bounded, to the time that its slowest axis needs.
-const UNEVEN_BOUND: f64 = 1.015;
 
 /// Rules of F for one machine, control and set-up.
 #[derive(Debug, Clone)]
@@ -198,7 +178,7 @@ impl FeedLaw {
             change / speed
         });
         // A bounded time may exceed that of any axis.
-        let bound = if stroke.uneven.is_some() && error > 0.0 { UNEVEN_BOUND } else { 1.0 };
+        let bound = if stroke.uneven.is_some() && error > 0.0 { TIME_BOUND } else { 1.0 };
         bound * times.fold(0.0, f64::max)
     }
 
@@ -239,7 +219,7 @@ impl FeedLaw {
 
     /// Length of a tip path that is led evenly and takes the time of one with this largest speed, mm.
     fn even_mm(&self, tip_rate_mm: f64) -> f64 {
-        (tip_rate_mm - ROUNDED_UNITS * self.unit_mm) / FASTER
+        (tip_rate_mm - ROUNDED_BLOCK_LENGTH * self.unit_mm) / FASTER
     }
 
     /// F of a motion at a feed of the tip, mm/min.
@@ -249,7 +229,7 @@ impl FeedLaw {
             programmed = programmed.max(extent.rotation_rad / self.reorient_rad_per_min);
         }
         if programmed <= 0.0 {
-            programmed = NOTHING;
+            programmed = RESTING_BLOCK;
         }
         let counted = self.counted(extent);
         let needed = programmed.max(self.least_needed_min(extent, counted));
@@ -257,7 +237,7 @@ impl FeedLaw {
             return self.in_time(needed, self.mode(extent), counted);
         }
         let minutes = needed.max(self.shortest_min);
-        let slowed = minutes > programmed * (1.0 + NOISE);
+        let slowed = minutes > programmed * (1.0 + F_NOISE);
         let slower = if slowed { extent.length_mm.max(self.unit_mm) / minutes } else { feed };
         self.held(feed.min(slower).min(self.largest_mm_per_min) * self.per_mm, needed)
     }
@@ -352,7 +332,7 @@ impl FeedLaw {
     fn bounds(&self, feed: f64, stroke: &Stroke, extent: &Extent) -> (f64, f64) {
         let (shortest, longest) = self.lengths(stroke, extent);
         // The time of a tip that rests is another.
-        let rests = self.unit_mm * (1.0 - NOISE);
+        let rests = self.unit_mm * (1.0 - F_NOISE);
         let lengths = [shortest, longest, rests, self.unit_mm];
         let lengths = lengths.into_iter().filter(|length| (shortest..=longest).contains(length));
         let ends = self.slowest_and_fastest(stroke, extent);
@@ -365,7 +345,7 @@ impl FeedLaw {
     /// Whether a written F is between two values of F, but for its rounding.
     fn is_between(&self, written: f64, mode: FeedMode, low: f64, high: f64) -> bool {
         let beyond = larger(low - written, written - high);
-        beyond <= 0.0 || beyond <= high * NOISE + self.step(mode, high)
+        beyond <= 0.0 || beyond <= high * F_NOISE + self.step(mode, high)
     }
 
     /// Whether F is between that of the longest tip path and that of the shortest, the axes moving as their words show: both are
@@ -438,13 +418,13 @@ impl FeedLaw {
         let extent = self.extent(&still);
         let (mode, (low, most)) = (self.mode(&extent), self.bounds(programmed, &still, &extent));
         let feed = state.feed.unwrap_or(0.0);
-        let high = most * (1.0 + NOISE) + self.step(mode, most);
+        let high = most * (1.0 + F_NOISE) + self.step(mode, most);
         let suits = |least: f64| {
-            let low = least * (1.0 - NOISE) - self.step(mode, most);
+            let low = least * (1.0 - F_NOISE) - self.step(mode, most);
             state.feed_mode == Some(mode) && feed > 0.0 && (low..=high).contains(&feed)
         };
         // The least F is not above this.
-        if suits(NEARLY * low) {
+        if suits(SLOWED_BY_ROUNDING * low) {
             return None;
         }
         let linear = self.speeds.iter().filter(|(index, _)| self.linear_bits & (1 << index) != 0);
@@ -455,9 +435,9 @@ impl FeedLaw {
             self.bounds(programmed, &stroke, &held).0
         };
         let least = match changes() {
-            None => NEARLY * low.min(slowest * self.per_mm),
+            None => SLOWED_BY_ROUNDING * low.min(slowest * self.per_mm),
             Some(changes) if changes.is_empty() => 0.0,
-            Some(changes) => NEARLY * changes.iter().map(held_back).fold(low, f64::min),
+            Some(changes) => SLOWED_BY_ROUNDING * changes.iter().map(held_back).fold(low, f64::min),
         };
         (!suits(least)).then(|| format!("F is {feed} per minute, allowed at most {most:.6}, at least {least:.6}"))
     }
@@ -468,7 +448,7 @@ impl FeedLaw {
         let extent = self.extent(stroke);
         let (mode, expected) = (self.mode(&extent), self.value(programmed, &extent));
         if let (Some(written), true) = (state.feed, state.feed_mode == Some(mode)) {
-            if mode == FeedMode::InverseTime && written > self.largest_inverse_time * (1.0 + NOISE) {
+            if mode == FeedMode::InverseTime && written > self.largest_inverse_time * (1.0 + F_NOISE) {
                 let largest = self.largest_inverse_time;
                 return Some(format!("F is {written} in inverse time, allowed at most {largest}"));
             }
@@ -510,7 +490,7 @@ fn is_perpendicular(machine: &dyn AnyMachine) -> bool {
     let directions: Vec<_> = linear.map(|index| machine.joint(index).direction).collect();
     let pairs = directions.iter().enumerate().flat_map(|(index, a)| directions[..index].iter().map(move |b| (a, b)));
     let mut pairs = pairs;
-    pairs.all(|(a, b)| a.dot(b).abs() < 1e-12)
+    pairs.all(|(a, b)| a.dot(b).abs() < PERPENDICULAR_AXES)
 }
 
 #[cfg(test)]

@@ -8,7 +8,10 @@ use nalgebra::{SVector, Vector3};
 use super::super::geometry::{ArcPath, PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, ArcMove, Block, MAX_AXES, TipControl};
-use super::{AT_POLE, AXIS_NOISE, Rules};
+use super::Rules;
+use crate::check::tolerances::{
+    AXIS_NOISE, BOTH, CONTROL_CHOOSES_NEAR_POLE, POLE_DRIFT, SAME_REVOLUTION, SAME_SHARE, UNEVEN_NEAR_POLE,
+};
 use crate::kinematics::math::larger;
 
 /// Points of a block that are compared besides its ends, and one more for each of these angles that it rotates, rad.
@@ -16,26 +19,8 @@ const POINTS: f64 = 3.0;
 const ANGLE_PER_POINT: f64 = 0.02;
 const MOST_POINTS: f64 = 400.0;
 
-/// A share that suits both tip and axis leaves each of them this much farther off than its own best share would.
-pub(crate) const BOTH: f64 = std::f64::consts::SQRT_2;
-
-/// Largest difference between the angle of an arc and that of its motion, rad: less than a revolution. Points between the
-/// ends show how well it follows the arc.
-const SAME_REVOLUTION: f64 = std::f64::consts::PI;
-
-/// Growth of the allowance over a half circle by its angle. The pole may be half a unit off along both axes of its plane;
-/// the distances of start and end from it differ by up to twice that, and three words are off by up to √3/2 units. Other
-/// angles count with their chords; a full circle ends where it began, wherever its pole is.
-const POLE: f64 = 1.64;
-
 /// A step of the rotary axes to the end of a motion below which its square is far below a unit of rotary words, rad.
 const LAST_STEP: f64 = 1e-4;
-
-/// Angle to a pole below which the rotary axes rotate far for a small rotation of the tool, rad.
-const NEAR_POLE: f64 = 0.035;
-
-/// Shares that differ by rounding.
-pub(crate) const SHARE: f64 = 1e-9;
 
 /// A position along a motion of the CL data.
 #[derive(Debug, Clone, Copy)]
@@ -230,7 +215,9 @@ impl Rules<'_> {
             let done = self.evenly_done(segment, block, (before, end), along).or(rewinds.then_some(along));
             done.or_else(|| self.rotated_on_spot(segment, block, end, arrival))
         };
-        if !(along - SHARE..=1.0 + SHARE).contains(&share) && !self.is_just_before(segment, share, along, axis) {
+        if !(along - SAME_SHARE..=1.0 + SAME_SHARE).contains(&share)
+            && !self.is_just_before(segment, share, along, axis)
+        {
             return elsewhere();
         }
         let on = segment.at(share.clamp(0.0, 1.0));
@@ -241,7 +228,7 @@ impl Rules<'_> {
 
     /// Largest angle between a motion and a pole through which its blocks may lead, rad.
     fn largest_bend_rad(&self) -> f64 {
-        self.policy.tolerances.axis_path_rad.min(AT_POLE)
+        self.policy.tolerances.axis_path_rad.min(CONTROL_CHOOSES_NEAR_POLE)
     }
 
     /// Whether blocks with tool vectors may lead a motion through a pole that it passes closely: only there the rotary angles that
@@ -257,7 +244,7 @@ impl Rules<'_> {
         let tip_mm = 2.0 * self.rounding.tip_mm;
         let rests = |here: &ToolPose| (here.tip - end.tip).norm() <= tip_mm;
         let on_line = matches!(segment.shape, PathShape::Line) && block.action.is_feed();
-        if !on_line || !arrival.here.is_some_and(rests) || self.off_pole_rad(&end.axis) > NEAR_POLE {
+        if !on_line || !arrival.here.is_some_and(rests) || self.off_pole_rad(&end.axis) > UNEVEN_NEAR_POLE {
             return None;
         }
         let largest_rad = self.policy.tolerances.axis_path_rad + self.rounding.pole_rad;
@@ -510,7 +497,7 @@ pub(super) fn off_arc((segment, arc): (&Segment, &ArcPath), tip: &Vector3<f64>, 
 
 /// Factor on the allowance for the tip after arcs by their angle, whose chords add up to `chords` diameters.
 pub(crate) fn drift(chords: f64) -> f64 {
-    1.0 + POLE * chords
+    1.0 + POLE_DRIFT * chords
 }
 
 /// Chord of an arc in diameters.

@@ -15,6 +15,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Vector1, Vector3};
 
+use crate::check::tolerances::{AXIS_NOISE, RETRACT_ALONG_TOOL, SAME_COORDINATE, SAME_LINEAR_WORD, TIP_NOISE};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Limits, Side};
 use crate::program::{Feed, Units};
 
@@ -25,19 +26,9 @@ use super::read::{Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffse
 pub(super) use arc::ArcWords;
 pub(super) use feed::{FeedLaw, Stroke};
 use fit::FastestStep;
-pub(super) use fit::{Arrival, BOTH, BlockPath, Deviation, DeviationBound, SHARE, chord, sweep};
+pub(super) use fit::{Arrival, BlockPath, Deviation, DeviationBound, chord, sweep};
 pub(super) use state::{FrameUse, ModalContext, StateFault, fault_at_end, tool_name};
 pub(super) use words::Words;
-
-/// Distance of a tool axis from the pole, rad, below which a control that finds the rotary angles may leave the first axis
-/// where it is, and take the other position with the same tool axis.
-pub(super) const AT_POLE: f64 = 3e-4;
-
-/// Tool axes of CL data are rounded to seven digits: near the pole they are put there, rad.
-const AXIS_NOISE: f64 = 2e-6;
-
-/// Words of a linear axis that differ by less are the same, mm.
-const SAME: f64 = 1e-9;
 
 /// Allowance for rounded words.
 #[derive(Debug, Clone, Copy)]
@@ -199,7 +190,7 @@ impl<'a> Rules<'a> {
     /// The same for every axis; rounding hides no motion of a linear one.
     pub(super) fn all_moved(&self, before: &[f64; MAX_AXES], known: u16, block: &Block) -> u16 {
         let linear = (0..MAX_AXES).filter(|index| self.words.rotary_bits() & (1 << index) == 0);
-        self.moved(before, known, block) | self.moved_by_more(linear, SAME, (before, known, block))
+        self.moved(before, known, block) | self.moved_by_more(linear, SAME_LINEAR_WORD, (before, known, block))
     }
 
     fn moved_by_more(
@@ -341,7 +332,9 @@ impl<'a> Rules<'a> {
             None => self.words.change(before, &block.values),
         };
         // Where the same coordinates of the tip are programmed again, rounding hides no motion.
-        let same = |index: Option<usize>| index.is_none_or(|index| (before[index] - block.values[index]).abs() < 1e-12);
+        let same = |index: Option<usize>| {
+            index.is_none_or(|index| (before[index] - block.values[index]).abs() < SAME_COORDINATE)
+        };
         let tip = self.meaning == LinearMeaning::TipCoordinates;
         let rests = tip && length_mm < 0.5 * self.rounding.unit_mm && self.words.xyz().into_iter().all(same);
         let longest_mm = if rests { 0.0 } else { longest_mm };
@@ -533,7 +526,7 @@ impl Rounding {
         let outside = Self {
             unit_mm,
             unit_rad,
-            tip_mm: 0.5 * unit_mm * corner(machine) + 1e-6,
+            tip_mm: 0.5 * unit_mm * corner(machine) + TIP_NOISE,
             axis_rad: rotary_rad,
             pole_rad,
             rotary_rad,
@@ -604,7 +597,7 @@ fn retracts_along_tool(machine: &dyn AnyMachine) -> bool {
     let tool = machine.tool_axis();
     let along = |index: usize| {
         is_solved(&machine.axes()[index], AxisKind::Linear)
-            && machine.joint(index).direction.dot(&tool).abs() > 1.0 - 1e-12
+            && machine.joint(index).direction.dot(&tool).abs() > RETRACT_ALONG_TOOL
     };
     !head && axes().any(along)
 }

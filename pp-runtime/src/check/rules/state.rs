@@ -8,6 +8,7 @@ use super::super::read::{
     Action, Block, Facts, FeedMode, Form, Length, Side, State, TipControl, WorkOffset, WorkPlane,
 };
 use super::{Rules, apart};
+use crate::check::tolerances::{ROUNDED_SPEED, ROUNDED_WORD};
 use crate::program::Location;
 use crate::set_up::{LengthMode, SetUp};
 
@@ -366,7 +367,7 @@ impl Rules<'_> {
         let Some(expected) = (if centre { required.radius_mm.map(|radius| -radius) } else { Some(0.0) }) else {
             return Some("the radius of the tool is unknown, and DR must take it off".to_owned());
         };
-        let right = |delta: f64| (delta - expected).abs() <= 0.6 * self.rounding.unit_mm;
+        let right = |delta: f64| (delta - expected).abs() <= ROUNDED_WORD * self.rounding.unit_mm;
         (!state.radius_delta_mm.is_some_and(right)).then(|| match state.radius_delta_mm {
             Some(delta) => format!("DR of the tool call is {delta} mm, expected {expected} mm"),
             None => format!("DR of the tool call is unknown after a call with S alone, expected {expected} mm"),
@@ -418,7 +419,7 @@ fn spindle(state: &State, required: Option<SpindleState>) -> Option<String> {
             Some(_) => "spindle rotates in the wrong direction".to_owned(),
         }),
         Some((speed, _)) => match state.speed {
-            Some(written) if (written - speed).abs() <= 1e-6 * speed => None,
+            Some(written) if (written - speed).abs() <= ROUNDED_SPEED * speed => None,
             written => Some(format!("S is {}, expected {speed}", shown(written))),
         },
     }

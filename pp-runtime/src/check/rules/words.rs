@@ -9,6 +9,7 @@ use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector3};
 use super::super::geometry::{Chain, Swing, ToolPose};
 use super::super::policy::{CheckPolicy, TipFrame};
 use super::super::read::{MAX_AXES, State, TipControl, set_bits};
+use crate::check::tolerances::EQUAL_TOOL_SHARE;
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::set_up::{LengthMode, ProgramZero};
 
@@ -510,6 +511,6 @@ fn bits(axes: &[usize]) -> u16 {
 
 /// The linear axis most along the tool; of two alike the one nearer the tool.
 fn retract_axis(machine: &dyn AnyMachine, linear: &[usize], tool: &Vector3<f64>) -> usize {
-    let share = |index: &usize| (machine.joint(*index).direction.dot(tool).abs() * 1e9).round();
+    let share = |index: &usize| (machine.joint(*index).direction.dot(tool).abs() / EQUAL_TOOL_SHARE).round();
     linear.iter().copied().max_by(|a, b| share(a).total_cmp(&share(b))).unwrap_or(0)
 }

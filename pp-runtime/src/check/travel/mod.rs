@@ -19,11 +19,9 @@ use super::geometry::{Extent, ToolPose};
 use super::read::{Block, MAX_AXES, TipControl};
 use super::report::{Shown, Tally};
 use super::rules::{Rules, Words, sweep};
+use crate::check::tolerances::AXIS_VALUE_NOISE;
 use crate::kinematics::{Axis, AxisKind, Limits};
 use crate::program::Location;
-
-/// Numerical noise of sums, mm and rad, that must not make a value on a limit a value outside it.
-const NOISE: f64 = 1e-6;
 
 /// An axis with limits.
 #[derive(Debug, Clone, Copy)]
@@ -142,12 +140,12 @@ impl Travel {
     /// What is wrong with the values of the axes whose words are known.
     fn judge_known(&mut self, block: &Block, words: &Words, value: impl Fn(usize) -> f64) -> Option<String> {
         let mut axes = self.axes.iter_mut().filter(|axis| block.known & (1 << axis.index) != 0);
-        axes.find_map(|axis| axis.judge(value(axis.index), words, NOISE))
+        axes.find_map(|axis| axis.judge(value(axis.index), words, AXIS_VALUE_NOISE))
     }
 
     /// What is wrong with a machine coordinate.
     pub(super) fn machine_coordinate(&self, index: usize, coordinate: f64) -> Option<String> {
-        self.axes.iter().find(|axis| axis.index == index)?.outside(coordinate, NOISE)
+        self.axes.iter().find(|axis| axis.index == index)?.outside(coordinate, AXIS_VALUE_NOISE)
     }
 
     /// Values within which nothing is outside and no span grows.
@@ -163,7 +161,7 @@ impl Travel {
     /// Whether a rotary axis is outside its limits.
     fn rotary_outside(&self, values: &[f64; MAX_AXES]) -> bool {
         let mut rotary = self.axes.iter().filter(|axis| axis.rotary);
-        rotary.any(|axis| axis.outside(values[axis.index], NOISE).is_some())
+        rotary.any(|axis| axis.outside(values[axis.index], AXIS_VALUE_NOISE).is_some())
     }
 
     /// Axes with limits: bits.
@@ -184,7 +182,7 @@ impl Travel {
         for axis in &mut self.axes {
             for side in [1.0, -1.0] {
                 let farthest = extent.bound(axis.index, side);
-                if ends.iter().all(|end| farthest > side * end[axis.index] + NOISE)
+                if ends.iter().all(|end| farthest > side * end[axis.index] + AXIS_VALUE_NOISE)
                     && let Some(text) = axis.judge(side * farthest, words, slack)
                 {
                     findings.outside(&format!("{place}{text}"));
@@ -220,7 +218,7 @@ impl LimitedAxis {
 
     fn outside(&self, coordinate: f64, slack: f64) -> Option<String> {
         let Limits { lower, upper } = self.limits;
-        let slack = if self.rotary { NOISE } else { slack };
+        let slack = if self.rotary { AXIS_VALUE_NOISE } else { slack };
         if (lower - slack..=upper + slack).contains(&coordinate) {
             return None;
         }

@@ -7,7 +7,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::{Block, Extent, Findings, MAX_AXES, NOISE, Rules, Travel};
+use super::{Block, Extent, Findings, MAX_AXES, Rules, Travel};
+use crate::check::tolerances::AXIS_VALUE_NOISE;
 
 /// Accuracy of a largest value that is outside the limits, mm and rad.
 const ACCURACY: f64 = 1e-4;
@@ -53,7 +54,7 @@ impl Travel {
                 for side in [1.0, -1.0] {
                     let value = |angles: [f64; 2]| with(angles).map_or(f64::NEG_INFINITY, |at| side * at[axis.index]);
                     let inside = quiet.bound(axis.index, side).max(extent.bound(axis.index, side));
-                    let largest = highest(value, cell, curvature(value), inside + NOISE);
+                    let largest = highest(value, cell, curvature(value), inside + AXIS_VALUE_NOISE);
                     let bound = if side > 0.0 { &mut extent.high } else { &mut extent.low };
                     if largest > inside {
                         bound[axis.index] = side * largest;

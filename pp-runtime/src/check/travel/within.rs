@@ -8,8 +8,9 @@ use std::f64::consts::{PI, TAU};
 
 use super::super::geometry::{PathPoint, PathShape, Search, Segment};
 use super::super::read::{PoseSelector, set_bits};
-use super::super::rules::{AT_POLE, ArcWords, BlockPath};
+use super::super::rules::{ArcWords, BlockPath};
 use super::{Block, Extent, Findings, MAX_AXES, Rules, TipControl, ToolPose, Travel, Vector3, sweep};
+use crate::check::tolerances::{CONTROL_CHOOSES_NEAR_POLE, POLE_ANGLE_NOISE, SAME_POSITION};
 use crate::kinematics::math::{hypot, larger, smaller};
 
 /// Largest distance between points of a block, rad: of the rotary axes, of which two may add up, and of an arc; unless
@@ -20,14 +21,9 @@ const MOST_STEPS: f64 = 2000.0;
 
 /// Largest step of rotary axes that a control rotates by itself, rad, and the distance of two equal positions.
 const LARGEST_ROTATION: f64 = 4.0 * ROTATION_STEP;
-const SAME_POSITION: f64 = 1e-3;
 
 /// Largest step of the tool axis, in distances from the pole: a longer one might lead past it to the other position.
 const STEP_PAST_POLE: f64 = 0.5;
-
-/// Angle to a pole, rad, below which the angle of the first rotary axis is noise: it is known to 1e-14 rad over this. The tool
-/// vectors of a program are at the pole, or ten times as far from it.
-const FREE_AT_POLE: f64 = 1e-8;
 
 /// Number of values of each rotary axis from which another position is looked for.
 const SEEDS: u32 = 9;
@@ -99,10 +95,10 @@ impl Travel {
         let end = words.place(&block.values, state).axis;
         let rotation = Segment { from: pose(words.tool_axis_at(&from)), to: pose(end), shape: PathShape::Line };
         let path: BlockPath<'_> = rules.path(from, block);
-        let off_pole = |axis: &Vector3<f64>| rules.off_pole_rad(axis).max(AT_POLE);
+        let off_pole = |axis: &Vector3<f64>| rules.off_pole_rad(axis).max(CONTROL_CHOOSES_NEAR_POLE);
         let at = |share: f64, near: &PathPoint| {
             let axis = rotation.at(share).axis;
-            if share < 1.0 && rules.off_pole_rad(&axis) < FREE_AT_POLE && rotation.turn() > FREE_AT_POLE {
+            if share < 1.0 && rules.off_pole_rad(&axis) < POLE_ANGLE_NOISE && rotation.turn() > POLE_ANGLE_NOISE {
                 return None;
             }
             let farther = off_pole(&axis).max(off_pole(&rotation.at(near.share).axis));

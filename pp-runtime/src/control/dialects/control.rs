@@ -172,10 +172,6 @@ pub struct PlaneGuard {
 }
 
 impl PlaneGuard {
-    /// Largest sum of |sin(d/2)| over the differences d of all axes: 0.1 degrees for one axis alone. The control computes the
-    /// positions from rounded angles; another solution is farther away.
-    pub(crate) const LARGEST: f64 = 0.0009;
-
     /// `B30 C-20.5`.
     pub(crate) fn positions(&self) -> String {
         let words: Vec<String> = self.axes.iter().map(|(name, degrees)| format!("{name}{degrees}")).collect();

@@ -60,6 +60,7 @@ use super::spellings::{
     ArcCentre, ArcCodes, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes,
     LinearRapids, MachineRetract, RetractForm, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
+use crate::motion::tolerances::GUARDED_SINES;
 
 /// The Heidenhain dialect.
 #[derive(Debug, Clone, Copy)]
@@ -408,7 +409,7 @@ impl Control for Heidenhain {
         }
         lines.extend([
             format!("QL3 = {}", sum.join(" + ")),
-            format!("FN 12: IF +QL3 LT +{} GOTO LBL \"PLANE{label}\"", PlaneGuard::LARGEST),
+            format!("FN 12: IF +QL3 LT +{GUARDED_SINES} GOTO LBL \"PLANE{label}\""),
             format!("; after the plane call the axes are not at {}", guard.positions()),
             "FN 14: ERROR = 101".to_owned(),
             format!("LBL \"PLANE{label}\""),

@@ -51,6 +51,7 @@
 //! multiple of the step (from memory: the last two steps share the rest equally): in any case there are as many steps as in the
 //! CL data, and none is longer.
 
+use crate::motion::tolerances::GUARDED_SINES;
 use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
 
@@ -307,7 +308,7 @@ impl Control for Siemens {
         };
         let sum: Vec<String> = guard.axes.iter().map(sine).collect();
         stops_if(
-            &format!("{}>{}", sum.join("+"), PlaneGuard::LARGEST),
+            &format!("{}>{GUARDED_SINES}", sum.join("+")),
             &format!("After the plane call the axes are not at {}", guard.positions()),
         )
     }

@@ -9,6 +9,7 @@ use crate::kinematics::{Branch, Rotary};
 use crate::motion::course::packed::PackedChanges;
 use crate::motion::course::{CourseAction, CourseChange};
 use crate::motion::rotary::{Cost, RotaryMetric, RotaryWords, RotationSense};
+use crate::motion::tolerances::SAME_WORD_AFTER_POLE;
 use crate::shortcut::Shortcut;
 
 /// Number of changes above which chains are compacted for the first time; then at twice the number that was left.
@@ -16,9 +17,6 @@ const COMPACT_ABOVE: usize = 4096;
 
 /// Largest size of the changes of a course: some two million.
 const MOST_BYTES: usize = 16 << 20;
-
-/// Largest difference, in units, of words that count as the same after a path through the pole.
-pub(crate) const SAME_WORD: i64 = 2;
 
 /// Branch and rotary words of a pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -823,7 +821,9 @@ impl CourseSearch {
     fn is_taken(&self, from: &Survivor, exit: &RotaryWords, exits: &[Option<RotaryWords>]) -> bool {
         let rotation = |exit: &RotaryWords| self.metric.change(0, from.state.words[0], exit[0]).abs();
         let nearest = || exits.iter().flatten().map(rotation).min();
-        !self.by_control || from.air.is_some() || nearest().is_none_or(|nearest| rotation(exit) <= nearest + SAME_WORD)
+        !self.by_control
+            || from.air.is_some()
+            || nearest().is_none_or(|nearest| rotation(exit) <= nearest + SAME_WORD_AFTER_POLE)
     }
 
     /// Returns the cost of the cheapest course, and its changes.

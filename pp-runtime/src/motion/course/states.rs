@@ -4,16 +4,11 @@ use nalgebra::{UnitVector3, Vector3};
 
 use crate::kinematics::{Branch, Pose, Rotary, RotaryAngles, Solution, math};
 
-use crate::motion::course::search::{RotaryState, SAME_WORD, preference};
+use crate::motion::course::search::{RotaryState, preference};
 use crate::motion::geometry::{PathSegment, angle_between};
 use crate::motion::place::Placer;
 use crate::motion::rotary::{MAX_TURNS, RotaryWords};
-
-/// Distance from the pole, rad, at which the direction of a path to the pole is evaluated.
-const NEAR_POLE: f64 = 1e-8;
-
-/// Largest change of the second rotary axis in units of that of the tool axis, where limits are looked at.
-const SLOPE: f64 = 4.0;
+use crate::motion::tolerances::{DIRECTION_AT_POLE, NO_GREAT_CIRCLE, SAME_WORD_AFTER_POLE, SLOPE_NEAR_LIMIT};
 
 /// Parts of a cut near a limit whose ends are looked at.
 const LIMIT_POINTS: u32 = 16;
@@ -190,7 +185,7 @@ impl StateFinder {
         let normal = a.cross(&b);
         let sine = normal.norm();
         let poles = self.placer.poles();
-        if poles.axes.is_empty() || sine < 1e-12 {
+        if poles.axes.is_empty() || sine < NO_GREAT_CIRCLE {
             return None;
         }
         poles.axes.iter().find_map(|pole| {
@@ -218,7 +213,7 @@ impl StateFinder {
             let axis = UnitVector3::new_normalize(axis);
             self.placer.machine().rotary_axes(&axis, &self.placer.axes_of(&state.words))
         };
-        let near = solutions_at(p + away * NEAR_POLE);
+        let near = solutions_at(p + away * DIRECTION_AT_POLE);
         let near = near.iter().find(|solution| near.len() == 1 || solution.branch == state.branch)?;
         let word = |rotary: &Rotary, angle: f64, from: i64| {
             rotary.nearest(rotary.word(angle, self.placer.scale()), from, self.placer.scale().units_per_turn).ok()
@@ -229,7 +224,7 @@ impl StateFinder {
             .iter()
             .filter_map(|solution| word(&second, solution.axes[1], state.words[1]))
             .min_by_key(|word| (word - state.words[1]).abs())?;
-        let free = if (free - state.words[0]).abs() <= SAME_WORD { state.words[0] } else { free };
+        let free = if (free - state.words[0]).abs() <= SAME_WORD_AFTER_POLE { state.words[0] } else { free };
         Some([free, tilt])
     }
 
@@ -267,7 +262,7 @@ impl StateFinder {
     /// words. `chord`: square of the distance between both tool axes.
     #[inline(always)]
     pub(crate) fn reach_along(&self, chord: f64) -> f64 {
-        (math::sqrt(chord) * SLOPE).to_degrees() * self.placer.scale().units_per_degree
+        (math::sqrt(chord) * SLOPE_NEAR_LIMIT).to_degrees() * self.placer.scale().units_per_degree
     }
 
     /// Whether a cut stays inside the limits between its ends, where the rotary axes do not go evenly.

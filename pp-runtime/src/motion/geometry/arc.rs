@@ -11,15 +11,7 @@ use crate::nalgebra::{Point3, Vector3};
 use crate::program::Arc;
 
 use crate::motion::fault::Fault;
-
-/// Most chords in one arc; more indicate a fault in the file.
-const MAX_CHORDS: f64 = 1e6;
-
-/// Largest error of a point by the arithmetic, per mm of its distances; thousands of times what it is.
-const ROUNDING: f64 = 1e-12;
-
-/// Largest rise along an axis, per motion on the circle, that moves no extreme along it: by its square, less than rounding.
-const LEVEL: f64 = 1e-9;
+use crate::motion::tolerances::{ARC_POINT_NOISE, LEVEL_ARC, MOST_CHORDS};
 
 /// An arc with its frame.
 #[derive(Debug, Clone, Copy)]
@@ -127,7 +119,7 @@ impl<'a> ArcGeometry<'a> {
         let centre = self.arc.centre.coords;
         let along = heights_mm.map(|height| centre.dot(&direction) + self.arc.normal.dot(&direction) * height);
         let distances_mm = centre.lp_norm(1) + self.radius() + heights_mm[0].abs() + heights_mm[1].abs();
-        let aside = circle + ROUNDING * distances_mm * direction.norm();
+        let aside = circle + ARC_POINT_NOISE * distances_mm * direction.norm();
         [smaller(along[0], along[1]) - aside, larger(along[0], along[1]) + aside]
     }
 
@@ -155,7 +147,7 @@ impl<'a> ArcGeometry<'a> {
             // No point of any arc is further from the start of its axis.
             let (centre, level) = (self.arc.centre[axis], self.arc.normal[axis] * self.level_mm);
             let reach = across * self.radius() + rise_mm.abs();
-            let reach = reach + ROUNDING * (centre.abs() + level.abs() + reach);
+            let reach = reach + ARC_POINT_NOISE * (centre.abs() + level.abs() + reach);
             if !is_circle && lowest[axis] <= centre + level - reach && centre + level + reach <= highest[axis] {
                 return ends;
             }
@@ -173,7 +165,7 @@ impl<'a> ArcGeometry<'a> {
         known: Option<[[f64; 3]; 2]>,
     ) -> [f64; 2] {
         let mut include = |at: f64| range = [smaller(at, range[0]), larger(at, range[1])];
-        if self.arc.angle_rad <= TAU && rise_mm.abs() <= LEVEL * self.radius() * across * self.arc.angle_rad {
+        if self.arc.angle_rad <= TAU && rise_mm.abs() <= LEVEL_ARC * self.radius() * across * self.arc.angle_rad {
             let [lowest, highest] = self.turning_points(axis, (across, rise_mm));
             if let Some(at) = lowest {
                 include(at);
@@ -229,12 +221,12 @@ impl<'a> ArcGeometry<'a> {
     /// Number of chords that deviate from the arc by no more than the tolerance.
     ///
     /// # Errors
-    /// If the number would exceed [`MAX_CHORDS`].
+    /// If the number would exceed [`MOST_CHORDS`].
     pub(crate) fn chords(&self, tolerance_mm: f64) -> Result<u32, Fault> {
         // A chord over the angle t deviates by r (1 - cos t/2), which is at most r t²/8.
         let step = (8.0 * tolerance_mm / self.radius()).sqrt().min(FRAC_PI_2);
         let chords = (self.arc.angle_rad / step).ceil().max(1.0);
-        if chords.is_nan() || chords > MAX_CHORDS {
+        if chords.is_nan() || chords > MOST_CHORDS {
             return Err(Fault::new("this arc cannot be cut into chords")
                 .help("check its radius, its number of revolutions and LINTOL"));
         }
@@ -250,7 +242,7 @@ fn holds_upright(arc: &Arc, [lowest, highest]: [[f64; 3]; 2]) -> bool {
     let radius = larger(from_axis(arc.start.tip), from_axis(arc.end.tip));
     let holds = |axis: usize| {
         let centre = arc.centre[axis];
-        let reach = radius + ROUNDING * (centre.abs() + radius);
+        let reach = radius + ARC_POINT_NOISE * (centre.abs() + radius);
         lowest[axis] <= centre - reach && centre + reach <= highest[axis]
     };
     x == 0.0 && y == 0.0 && holds(0) && holds(1)

@@ -8,15 +8,8 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::kinematics::math::{self, larger};
+use crate::motion::tolerances::{LEAST_RADIUS_SWEEP, MOST_RADIUS_SWEEP, SAME_SWEEP};
 use crate::nc::whole_units;
-
-/// Largest difference between the sweep of the words and the nominal one, rad: beyond it the words describe another
-/// arc.
-const SAME_SWEEP: f64 = 0.5;
-
-/// Sweeps, rad, for which an `R` word determines the centre reliably: the chord is neither near zero nor near the
-/// diameter.
-const CLEAR_SWEEP: [f64; 2] = [0.05, 0.95 * PI];
 
 /// Steps from a point of the grid to those around it.
 const NEIGHBOURS: [[f64; 2]; 8] =
@@ -269,7 +262,7 @@ impl NominalCircle {
         grid: WordGrid,
     ) -> Option<(i64, CircleDeviation)> {
         let small = fit.sweep_rad.min(TAU - fit.sweep_rad);
-        if !(CLEAR_SWEEP[0]..=CLEAR_SWEEP[1]).contains(&small) {
+        if !(LEAST_RADIUS_SWEEP..=MOST_RADIUS_SWEEP).contains(&small) {
             return None;
         }
         let (from, to, centre) = (grid.mm(start), grid.mm(end), grid.mm(fit.centre));

@@ -2,11 +2,8 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
+use crate::motion::tolerances::{LEADS_TO_PLANE, NO_DIRECTION, PARALLEL_TO_FACE};
 use crate::program::Clearance;
-
-/// Smallest cosine between the tool axis and the normal of a clearance plane: below it the axis does not lead to the
-/// plane.
-const ALONG: f64 = 1e-3;
 
 /// Distance along `axis` to the point after which the tool stays outside the clearance geometry, mm; 0 if it is outside
 /// already, `None` if it never leaves.
@@ -14,7 +11,7 @@ pub(crate) fn distance_to_clear(clearance: &Clearance, tip: &Point3<f64>, axis: 
     match *clearance {
         Clearance::Plane(plane) => {
             let along = axis.dot(&plane.normal);
-            (along > ALONG).then(|| ((plane.distance_mm - tip.coords.dot(&plane.normal)) / along).max(0.0))
+            (along > LEADS_TO_PLANE).then(|| ((plane.distance_mm - tip.coords.dot(&plane.normal)) / along).max(0.0))
         }
         Clearance::Box { lower, upper } => {
             let spans = [0, 1, 2].map(|i| span(tip[i], axis[i], lower[i], upper[i]));
@@ -65,7 +62,7 @@ pub(crate) fn is_separated(clearance: &Clearance, points: &[Point3<f64>], margin
         Clearance::Cylinder { centre: [x, y], radius_mm, lower_z_mm, upper_z_mm } => {
             let centre = Vector3::new(x, y, 0.0);
             let sum: Vector3<f64> = points.iter().map(|point| point.coords - centre).sum();
-            let aside = Vector3::new(sum.x, sum.y, 0.0).try_normalize(1e-9);
+            let aside = Vector3::new(sum.x, sum.y, 0.0).try_normalize(NO_DIRECTION);
             above(Vector3::z(), upper_z_mm)
                 || above(-Vector3::z(), -lower_z_mm)
                 || aside.is_some_and(|normal| above(normal, radius_mm + centre.dot(&normal)))
@@ -75,7 +72,7 @@ pub(crate) fn is_separated(clearance: &Clearance, points: &[Point3<f64>], margin
 
 /// First and last parameter `t` at which `from + t * by` is between two values.
 fn span(from: f64, by: f64, lower: f64, upper: f64) -> Option<(f64, f64)> {
-    if by.abs() < 1e-12 {
+    if by.abs() < PARALLEL_TO_FACE {
         return (lower..=upper).contains(&from).then_some((f64::NEG_INFINITY, f64::INFINITY));
     }
     let (a, b) = ((lower - from) / by, (upper - from) / by);
@@ -84,7 +81,7 @@ fn span(from: f64, by: f64, lower: f64, upper: f64) -> Option<(f64, f64)> {
 
 /// First and last parameter `t` at which `a t² + 2 b t + c` is not positive.
 fn crossing(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
-    if a < 1e-24 {
+    if a < PARALLEL_TO_FACE * PARALLEL_TO_FACE {
         return (c <= 0.0).then_some((f64::NEG_INFINITY, f64::INFINITY));
     }
     let root = (b * b - a * c).sqrt();

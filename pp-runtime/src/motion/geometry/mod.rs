@@ -9,4 +9,4 @@ pub(crate) use arc::{ArcGeometry, extent};
 pub use circle::{ArcPlane, Circle};
 pub(crate) use circle::{CircleDeviation, NominalCircle, WordGrid};
 pub(crate) use clearance::{distance_to_clear, is_separated, line_enters};
-pub(crate) use path_segment::{PathSegment, SAME_AXIS, angle_between};
+pub(crate) use path_segment::{PathSegment, angle_between};

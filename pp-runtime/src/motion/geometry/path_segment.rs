@@ -5,9 +5,6 @@ use nalgebra::{UnitVector3, Vector3};
 
 use crate::kinematics::{Pose, REACH_TOLERANCE, math};
 
-/// Tool axes within this angle are the same, rad: CL data has seven digits.
-pub(crate) const SAME_AXIS: f64 = 1e-6;
-
 /// Angle between two unit vectors, rad; equally exact for small and large angles.
 pub(crate) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     math::atan2(a.cross(b).norm(), a.dot(b))

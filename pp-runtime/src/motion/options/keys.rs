@@ -11,6 +11,7 @@ use crate::kinematics::{Axis, AxisKind, Limits};
 use crate::program::{Clearance, ClearancePlane, Units};
 
 use super::{ClampCodes, CourseOptions, Wrap};
+use crate::motion::tolerances::{CONVERTED_NOISE, INDEX_STEP_NOISE};
 
 const FORMS: &str = "write `{ plane = 80 }`, `{ box = [[-60, -60, -40], [60, 60, 30]] }` or \
                      `{ cylinder = { radius = 90, lower = -40, upper = 30 } }`";
@@ -124,10 +125,9 @@ pub(crate) const PARK: PerAxis<f64> = PerAxis {
     section: false,
     read: |r, &AxisEntry { axis, value, .. }| {
         let position = along(r, axis, value, Bound::Any)?;
-        // Angles are converted from degrees: a position at the limit must pass.
-        let slack = 1e-9;
+        // A position at the limit must pass.
         if let Some(limits) = r.travel_of(axis)
-            && !(limits.lower - slack..=limits.upper + slack).contains(&position)
+            && !(limits.lower - CONVERTED_NOISE..=limits.upper + CONVERTED_NOISE).contains(&position)
         {
             let travel = show_limits(axis, limits, r.units());
             r.fault(value.span(), format!("{} cannot be there: its travel is {travel}", axis.letter), None);
@@ -174,7 +174,7 @@ pub(crate) const GRID: PerAxis<f64> = PerAxis {
     read: |r, entry| {
         let step = r.number(entry.value, Quantity::Angle, Bound::Positive)?;
         let steps = std::f64::consts::TAU / step;
-        if (steps - steps.round()).abs() > 1e-9 * steps || steps < 2.0 {
+        if (steps - steps.round()).abs() > INDEX_STEP_NOISE * steps || steps < 2.0 {
             let help = "give for example 1, 2.5 or 5 degrees".to_owned();
             r.fault(entry.value.span(), "the step of an indexed axis must divide 360 degrees", Some(help));
             return None;

@@ -10,17 +10,9 @@ use crate::kinematics::math::LARGEST_SHIFTED;
 use crate::kinematics::{AngleScale, AnyMachine, Axis, AxisKind, AxisUnits, LinearScale, REACH_TOLERANCE, Rotary};
 use crate::motion::options::Policy;
 use crate::motion::rotary::RotaryMetric;
+use crate::motion::tolerances::{EQUAL_TOOL_SHARE, RETRACT_ALONG_TOOL, UNIT_VECTOR_NOISE, WORD_NOISE};
 use crate::nc::{Overflow, whole_units};
 use crate::program::Units;
-
-/// Largest floating-point noise of a limit, in units of a word.
-const LIMIT_NOISE: f64 = 1e-6;
-
-/// Largest noise of the square of the distance of two unit vectors.
-const UNIT_NOISE: f64 = 1e-12;
-
-/// Smallest cosine between tool axis and retract axis at which the two count as parallel.
-const PARALLEL: f64 = 1.0 - 1e-12;
 
 /// The solved rotary axes.
 #[derive(Debug, Clone)]
@@ -115,8 +107,8 @@ impl RotaryAxes {
                 let word = |angle: f64| (angle.to_degrees() - rest_deg) * scale.units_per_degree;
                 Rotary {
                     index,
-                    lower: limits[index].map(|limits| (word(limits.lower) - LIMIT_NOISE).ceil() as i64),
-                    upper: limits[index].map(|limits| (word(limits.upper) + LIMIT_NOISE).floor() as i64),
+                    lower: limits[index].map(|limits| (word(limits.lower) - WORD_NOISE).ceil() as i64),
+                    upper: limits[index].map(|limits| (word(limits.upper) + WORD_NOISE).floor() as i64),
                     rest_deg,
                 }
             })
@@ -157,10 +149,11 @@ impl LinearAxes {
         let retract_axis = solved(axes, AxisKind::Linear)
             .max_by(|&a, &b| {
                 let (a, b) = (share(a).abs(), share(b).abs());
-                if (a - b).abs() < 1e-9 { std::cmp::Ordering::Equal } else { a.total_cmp(&b) }
+                if (a - b).abs() < EQUAL_TOOL_SHARE { std::cmp::Ordering::Equal } else { a.total_cmp(&b) }
             })
             .unwrap_or_default();
-        let along_tool = held_tool_axis(machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL;
+        let along_tool =
+            held_tool_axis(machine).dot(&machine.joint(retract_axis).direction).abs() >= RETRACT_ALONG_TOOL;
         let units_per_mm = 10_f64.powi(policy.formats.linear(units) as i32) / units.in_mm();
         let orthogonal = orthogonal(machine, axes);
         Self {
@@ -193,7 +186,7 @@ impl Poles {
     #[inline(always)]
     pub(crate) fn are_farther(&self, axis: &UnitVector3<f64>, square: f64) -> bool {
         // The second one is opposite.
-        self.axes.first().is_none_or(|pole| 2.0 - 2.0 * pole.dot(axis).abs() > square + UNIT_NOISE)
+        self.axes.first().is_none_or(|pole| 2.0 - 2.0 * pole.dot(axis).abs() > square + UNIT_VECTOR_NOISE)
     }
 }
 

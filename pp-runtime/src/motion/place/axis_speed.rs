@@ -17,9 +17,7 @@ use nalgebra::Point3;
 
 use super::{AxisPosition, Placer};
 use crate::kinematics::{AxisValues, Side};
-
-/// Largest ratio of the bound of a time to the time that is known to be needed.
-const LOOSE: f64 = 1.01;
+use crate::motion::tolerances::TIME_BOUND;
 
 /// Least and most parts of a block.
 const LEAST_PARTS: f64 = 4.0;
@@ -43,7 +41,7 @@ impl Placer {
         loop {
             let Some(minutes) = self.minutes_by_parts(from, to, parts, jerk_mm / (parts * parts)) else { return ends };
             let [needed, bound] = minutes.map(|minutes| minutes.max(ends));
-            if bound <= enough_min || bound <= LOOSE * needed || parts >= MOST_PARTS {
+            if bound <= enough_min || bound <= TIME_BOUND * needed || parts >= MOST_PARTS {
                 return bound;
             }
             parts *= 4.0;

@@ -3,6 +3,7 @@
 use nalgebra::{UnitVector3, Vector3};
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Joint, Rotary, Side};
+use crate::motion::tolerances::PERPENDICULAR_AXES;
 
 /// Reachable tool axes at which the angle of the first of two rotary axes is free: along its direction and against it.
 pub(crate) fn poles(machine: &dyn AnyMachine, rotaries: &[Rotary]) -> Vec<UnitVector3<f64>> {
@@ -43,7 +44,7 @@ pub(crate) fn orthogonal(machine: &dyn AnyMachine, axes: &[Axis]) -> bool {
     let perpendicular = solved.iter().enumerate().all(|(position, &a)| {
         solved[position + 1..]
             .iter()
-            .all(|&b| machine.joint(a).direction.dot(&machine.joint(b).direction).abs() < 1e-12)
+            .all(|&b| machine.joint(a).direction.dot(&machine.joint(b).direction).abs() < PERPENDICULAR_AXES)
     });
     let (Some(&first), Some(&last)) = (solved.first(), solved.last()) else { return false };
     perpendicular && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)

@@ -12,9 +12,7 @@ use crate::motion::options::Policy;
 use crate::set_up::{LengthMode, ProgramZero, along_axes};
 
 use crate::motion::step::MAX_AXES;
-
-/// Largest noise of an offset, in units of a word, from the conversion of degrees to radians.
-const NOISE: f64 = 1e-6;
+use crate::motion::tolerances::WORD_NOISE;
 
 /// Offsets from axis values to written words, by position in the chain.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,7 +82,7 @@ impl Datum {
     /// Part of the offset of a rotary axis that is smaller than one unit, degrees.
     pub(crate) fn rest_deg(&self, index: usize, scale: AngleScale) -> f64 {
         let rest = self.offsets[index] - self.whole[index] as f64;
-        if rest.abs() < NOISE { 0.0 } else { rest / scale.units_per_degree }
+        if rest.abs() < WORD_NOISE { 0.0 } else { rest / scale.units_per_degree }
     }
 
     /// Written words for words that are axis values.

@@ -5,9 +5,7 @@ use nalgebra::Point3;
 use crate::kinematics::AxisKind;
 
 use super::{AxisPosition, Placer};
-
-/// Axis values that differ by less are the same, mm and rad: rounding of arithmetic.
-const SAME: f64 = 1e-9;
+use crate::motion::tolerances::SAME_AXIS_VALUE;
 
 /// Largest distance of the centre line of a rotary axis from the part zero, mm.
 const FARTHEST_CENTRE_MM: f64 = 5000.0;
@@ -27,7 +25,7 @@ impl Placer {
     /// At fixed rotary axes the tip is an affine function of the linear ones. Where a rotary axis rotates by θ, a tip at the
     /// distance r from its centre line is no farther than r·θ²/8 from the chord.
     pub(crate) fn dog_leg(&self, from: &AxisPosition, to: &AxisPosition) -> Option<DogLeg> {
-        let moves = |index: &usize| (from.axes[*index] - to.axes[*index]).abs() > SAME;
+        let moves = |index: &usize| (from.axes[*index] - to.axes[*index]).abs() > SAME_AXIS_VALUE;
         let moved: Vec<usize> = (0..self.chain.len()).filter(moves).collect();
         let rotary = || moved.iter().filter(|index| self.chain[**index].kind == AxisKind::Rotary);
         if moved.len() < 2 && rotary().next().is_none() {

@@ -15,9 +15,7 @@ use crate::nc::whole_units;
 use super::frame::{TipAbility, TipStart, WordMap, no_plane, orientation, table};
 use super::tilted_plane::{PlaneAbility, plane_across};
 use super::{AxisPosition, Placer, too_large};
-
-/// Largest difference between two directions that count as parallel: rounding of the arithmetic of angles.
-const PARALLEL: f64 = 1e-9;
+use crate::motion::tolerances::PARALLEL;
 
 /// Motion of the axes across the retract axis before tip control is switched on.
 #[derive(Debug, Clone, Copy, PartialEq)]

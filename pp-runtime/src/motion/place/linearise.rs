@@ -36,6 +36,7 @@ use crate::motion::fault::Fault;
 use crate::motion::geometry::PathSegment;
 use crate::motion::rotary::RotaryWords;
 use crate::motion::step::MAX_AXES;
+use crate::motion::tolerances::{EVEN_SHARE, LARGEST_EVEN_ROTATION, UNEVEN_NEAR_POLE, WIDEST_BLOCK};
 
 /// Share of the tolerance from which on a piece is long enough.
 const LONG_ENOUGH: f64 = 0.97;
@@ -57,20 +58,6 @@ const MOST_PIECES: u32 = 100_000;
 
 /// Largest number of tries for one piece: bisection from the whole motion to the last bit takes fewer.
 const MAX_TRIES: usize = 120;
-
-/// Largest rotation of an axis in a motion that is even, rad: a wider one, near a pole, goes by the great circle.
-const LARGEST_EVEN: f64 = std::f64::consts::FRAC_PI_4;
-
-/// Sine of the angle to a pole below which the rotary axes do not go evenly: there the first one rotates far for a small
-/// rotation of the tool.
-const NEAR_POLE: f64 = 0.035;
-
-/// Share of the tolerance of the tool axis up to which the course counts on an even motion: rounding takes its part.
-const EVEN_SHARE: f64 = 0.9;
-
-/// Cosine of the largest angle between the tool axes of one block; the great circle of a larger angle is ill
-/// conditioned.
-const MIN_AXIS_COSINE: f64 = -0.5;
 
 /// Largest deviation of the written motion from the motion of the CL data.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -356,7 +343,7 @@ fn longest(
 impl Placer {
     /// Whether a tool axis is so near to a pole that the rotary axes do not go evenly.
     fn is_near_pole(&self, pose: &Pose) -> bool {
-        self.poles.axes.iter().any(|pole| pose.axis.cross(pole).norm() < NEAR_POLE)
+        self.poles.axes.iter().any(|pole| pose.axis.cross(pole).norm() < UNEVEN_NEAR_POLE)
     }
 
     /// Whether the rotary axes go evenly in a whole motion between two poses on one branch: between their words, hence inside
@@ -370,7 +357,7 @@ impl Placer {
     /// Whether the rotary axes may go evenly between two poses, as far as the tool axis keeps to its tolerance.
     fn may_go_evenly(&self, (a, start): (&Pose, &[i64; MAX_AXES]), (b, end): (&Pose, &[i64; MAX_AXES])) -> bool {
         !(self.is_near_pole(a) || self.is_near_pole(b))
-            && self.rotary_travel(start, end) <= LARGEST_EVEN
+            && self.rotary_travel(start, end) <= LARGEST_EVEN_ROTATION
             && !self.has_indexed_axes()
     }
 }
@@ -428,7 +415,7 @@ impl Certifier<'_> {
     /// Whether the tool axis rotates by so little that its great circle is sure, and no axis of the control by half a revolution.
     #[inline(always)]
     fn is_narrow(&self, from: &AxisPosition, to: &AxisPosition) -> bool {
-        from.pose.axis.dot(&to.pose.axis) > MIN_AXIS_COSINE && !self.placer.rolls_over(from, to)
+        from.pose.axis.dot(&to.pose.axis) > WIDEST_BLOCK && !self.placer.rolls_over(from, to)
     }
 
     /// A bound of the deviation of the tip from its line, mm, that is smaller than `whole` if the path bends to both
@@ -453,7 +440,7 @@ impl Certifier<'_> {
     }
 
     /// Largest deviation of the arc between the written tool axes from the arc between those of the poses, rad: twice
-    /// the deviation of an end, since no block exceeds the angle of [`MIN_AXIS_COSINE`]. A position at the pole has the
+    /// the deviation of an end, since no block exceeds the angle of [`WIDEST_BLOCK`]. A position at the pole has the
     /// pole as the axis of its pose: its distance from the programmed axis is subject to another tolerance.
     #[inline]
     fn axis_off(&self, place: &AxisPosition) -> f64 {

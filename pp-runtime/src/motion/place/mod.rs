@@ -43,18 +43,13 @@ pub(crate) use refusal::limits_text;
 pub use suited::{UsableModes, unsuited};
 pub use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
 
+use crate::motion::tolerances::{GUARDED_ANGLE_DEG, LEAST_GUARDED_RATE};
 pub(crate) use axes::Poles;
 use axes::{AxisSpeeds, LinearAxes, RotaryAxes};
 pub(crate) use chain::rotaries as rotaries_of;
 use datum::Datum;
 use frame::WordFrame;
 use travel::TravelCheck;
-
-/// Rotation of the tool axis with a rotary axis below which the tool axis does not fix its position, rad per rad.
-const LEAST_RATE: f64 = 0.02;
-
-/// Difference of a rotary position that a guard allows, degrees.
-const GUARDED_DEG: f64 = 0.1;
 
 /// Parts of a block whose speeds of the tip are bounded one by one.
 const RATE_PARTS: u32 = 8;
@@ -331,8 +326,8 @@ impl Placer {
     /// `decimals`: those of the angles, degrees.
     pub(crate) fn directing_axes(&self, at: &AxisPosition, decimals: u32) -> u16 {
         // Three angles, each rounded by half a unit.
-        let least_rate = LEAST_RATE.max(10_f64.powi(-decimals.cast_signed()) / (0.5 * GUARDED_DEG));
-        if self.rotary.scale.degrees(1) > 0.2 * GUARDED_DEG {
+        let least_rate = LEAST_GUARDED_RATE.max(10_f64.powi(-decimals.cast_signed()) / (0.5 * GUARDED_ANGLE_DEG));
+        if self.rotary.scale.degrees(1) > 0.2 * GUARDED_ANGLE_DEG {
             return 0;
         }
         let directs = |index: usize| {

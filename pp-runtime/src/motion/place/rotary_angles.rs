@@ -14,10 +14,7 @@ use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
 use crate::motion::rotary::{Choice, MAX_TURNS, RotaryTarget, RotaryWords, RotationSense, choose};
 use crate::motion::step::MAX_AXES;
-
-/// Largest travel of a rotary axis, rad, in a feed motion whose turn is forced by limits; more would swing the tool in
-/// the cut.
-const MAX_LIMIT_SWING: f64 = 1_f64.to_radians();
+use crate::motion::tolerances::LIMIT_SWING;
 
 /// What the choice of rotary angles reads of a position.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -279,7 +276,7 @@ impl Placer {
         after: &RotaryWords,
     ) -> Result<(), Fault> {
         let travel = (after[0] - before[0]).abs().max((after[1] - before[1]).abs());
-        if self.rotary.scale.angle(travel) <= MAX_LIMIT_SWING {
+        if self.rotary.scale.angle(travel) <= LIMIT_SWING {
             return Ok(());
         }
         match choose(branch, &self.rotary.endless, before, self.rotary.scale) {

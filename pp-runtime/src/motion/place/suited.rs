@@ -9,6 +9,7 @@ use crate::set_up::LengthMode;
 use super::chain::rotaries;
 use super::frame::{TipAbility, TipStart};
 use super::tilted_plane::PlaneAbility;
+use crate::motion::tolerances::COORDINATE_AXIS;
 
 /// Modes other than axis positions that machine, control and configuration allow.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -223,9 +224,9 @@ fn is_own_direction(machine: &dyn AnyMachine, letter: char) -> bool {
         'Y' => Vector3::y(),
         _ => Vector3::z(),
     };
-    index.is_some_and(|index| (machine.joint(index).direction.into_inner() - own).norm() < 1e-12)
+    index.is_some_and(|index| (machine.joint(index).direction.into_inner() - own).norm() < COORDINATE_AXIS)
 }
 
 fn tool_along_z(machine: &dyn AnyMachine) -> bool {
-    (machine.tool_axis().into_inner() - Vector3::z()).norm() < 1e-12
+    (machine.tool_axis().into_inner() - Vector3::z()).norm() < COORDINATE_AXIS
 }

@@ -10,12 +10,7 @@ use crate::kinematics::math;
 use crate::nc::Decimal;
 
 use crate::motion::geometry::angle_between;
-
-/// Largest difference of the angle of the second rotary axis, rad, at which two poses of a plane count as one.
-const SAME_POSE: f64 = 1e-9;
-
-/// Angle to the normal within which X does not give the direction of a plane, rad.
-const ALONG_NORMAL: f64 = std::f64::consts::PI / 180.0;
+use crate::motion::tolerances::{ALONG_PLANE_NORMAL, ONE_SUM_OF_ANGLES, SAME_PLANE_POSE};
 
 /// Convention of the three angles by which a control describes the orientation of a plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,7 +45,7 @@ impl PlaneAngles {
             Self::EulerZxz => {
                 let sine = math::hypot(r[(0, 2)], r[(1, 2)]);
                 let middle = math::atan2(sine, r[(2, 2)]);
-                if sine < 1e-12 {
+                if sine < ONE_SUM_OF_ANGLES {
                     return [math::atan2(r[(1, 0)], r[(0, 0)]), middle, 0.0];
                 }
                 [math::atan2(r[(0, 2)], -r[(1, 2)]), middle, math::atan2(r[(2, 0)], r[(2, 1)])]
@@ -58,7 +53,7 @@ impl PlaneAngles {
             Self::MovingXyz => {
                 let cosine = math::hypot(r[(0, 0)], r[(0, 1)]);
                 let middle = math::atan2(r[(0, 2)], cosine);
-                if cosine < 1e-12 {
+                if cosine < ONE_SUM_OF_ANGLES {
                     return [math::atan2(r[(2, 1)], r[(1, 1)]), middle, 0.0];
                 }
                 [math::atan2(-r[(1, 2)], r[(2, 2)]), middle, math::atan2(-r[(0, 1)], r[(0, 0)])]
@@ -66,7 +61,7 @@ impl PlaneAngles {
             Self::FixedXyz => {
                 let cosine = math::hypot(r[(0, 0)], r[(1, 0)]);
                 let middle = math::atan2(-r[(2, 0)], cosine);
-                if cosine < 1e-12 {
+                if cosine < ONE_SUM_OF_ANGLES {
                     return [0.0, middle, math::atan2(-r[(0, 1)], r[(1, 1)])];
                 }
                 [math::atan2(r[(2, 1)], r[(2, 2)]), middle, math::atan2(r[(1, 0)], r[(0, 0)])]
@@ -76,11 +71,12 @@ impl PlaneAngles {
 }
 
 /// Orientation of the plane across a tool axis whose X is that of the workpiece, projected into it; Y where X is within
-/// [`ALONG_NORMAL`] of the normal. A plane about Y is then an angle about Y alone.
+/// [`ALONG_PLANE_NORMAL`] of the normal. A plane about Y is then an angle about Y alone.
 pub(crate) fn plane_across(axis: &UnitVector3<f64>) -> Matrix3<f64> {
     let normal = axis.into_inner();
     let along = |direction: Vector3<f64>| (direction - normal * normal.dot(&direction)).normalize();
-    let x = if normal.x.abs() > math::sin_cos(ALONG_NORMAL).1 { along(Vector3::y()) } else { along(Vector3::x()) };
+    let x =
+        if normal.x.abs() > math::sin_cos(ALONG_PLANE_NORMAL).1 { along(Vector3::y()) } else { along(Vector3::x()) };
     Matrix3::from_columns(&[x, normal.cross(&x), normal])
 }
 
@@ -142,7 +138,8 @@ impl PlaneAbility {
             let [is, wanted]: [Vector3<f64>; 2] = [meant, *orientation].map(|r| r.column(column).into_owned());
             angle_between(&is, &wanted)
         });
-        (off.fold(0.0, f64::max) <= 3.0 * half_unit + SAME_POSE).then_some(TiltedPlane { words, orientation: meant })
+        (off.fold(0.0, f64::max) <= 3.0 * half_unit + SAME_PLANE_POSE)
+            .then_some(TiltedPlane { words, orientation: meant })
     }
 }
 
@@ -151,7 +148,7 @@ impl PoseRule {
     /// pose at which the rotary axes already are. `here` and `others`: values of the rotary axis nearest the tool in
     /// this pose and in the others, rad.
     pub(crate) fn choose(self, here: f64, others: &[f64]) -> Option<bool> {
-        let mut apart = others.iter().filter(|other| (*other - here).abs() > SAME_POSE).peekable();
+        let mut apart = others.iter().filter(|other| (*other - here).abs() > SAME_PLANE_POSE).peekable();
         apart.peek()?;
         match self {
             Self::Nearest => None,

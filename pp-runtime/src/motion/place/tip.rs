@@ -14,15 +14,10 @@ use super::tilted_plane::{PlaneAbility, PoseRule, TiltedPlane, plane_across};
 use super::{AxisPosition, Placer, too_large};
 use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
-
-/// Largest deviation of a map from an orthogonal one: rounding of the arithmetic of angles.
-const ORTHOGONAL: f64 = 1e-9;
+use crate::motion::tolerances::{AXIS_VALUE_NOISE, ORTHOGONAL_MAP};
 
 /// Largest deviation of an axis from its chord between two points of a block that are compared with the travel.
 const TRAVEL_SAMPLING_MM: f64 = 0.01;
-
-/// Largest error of an axis value by the arithmetic, mm; a thousand times what it is a kilometre from the zero.
-const NOISE_MM: f64 = 1e-6;
 
 /// Largest number of points of a block that are compared with the travel.
 const MAX_TRAVEL_SAMPLES: f64 = 1000.0;
@@ -122,7 +117,7 @@ impl Placer {
         let along = |row: usize| {
             let constant = here[solved[row]] - rows[row].dot(&at.pose.tip.coords);
             let [low, high] = bounds(rows[row]);
-            [constant + low - NOISE_MM, constant + high + NOISE_MM]
+            [constant + low - AXIS_VALUE_NOISE, constant + high + AXIS_VALUE_NOISE]
         };
         self.needs_none_between(solved, [0, 1, 2].map(along))
     }
@@ -282,7 +277,7 @@ pub(super) struct AxisMap {
 
 fn is_orthogonal(map: &Matrix3<f64>) -> bool {
     let off = map.transpose() * map - Matrix3::identity();
-    off.iter().all(|part| part.abs() <= ORTHOGONAL)
+    off.iter().all(|part| part.abs() <= ORTHOGONAL_MAP)
 }
 
 /// Derivative of an affine map.

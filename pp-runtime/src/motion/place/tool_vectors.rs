@@ -1,9 +1,9 @@
 //! Blocks under tip control that contain the tool axis as a vector: the control finds the rotary angles.
 //!
 //! The control continues from the angles where its axes are, on the same branch and in the same turn. Only at the pole
-//! is it free, and takes the nearest angle. Where an axis has limits, a feed motion that passes a pole within [`NEAR_POLE`] is led
-//! through it: past the pole the first axis would rotate by nearly 180° within a part of a block, or the axes would take
-//! the other branch, as the interpolation of the control has it.
+//! is it free, and takes the nearest angle. Where an axis has limits, a feed motion that passes a pole within
+//! [`CONTROL_CHOOSES_NEAR_POLE`] is led through it: past the pole the first axis would rotate by nearly 180° within a part
+//! of a block, or the axes would take the other branch, as the interpolation of the control has it.
 
 use nalgebra::{UnitVector3, Vector3};
 
@@ -13,13 +13,7 @@ use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
 use crate::motion::options::{Policy, StretchMode, TcpWords};
 use crate::motion::rotary::RotaryWords;
-
-/// Distance from a pole, rad, below which the control may leave the first rotary axis where it is and take the other branch.
-/// There that axis rotates the tool by less than a three-thousandth of its own angle.
-const NEAR_POLE: f64 = 3e-4;
-
-/// Share of the tolerance of the tool axis by which a motion may be bent to lead it through a pole.
-const BENT: f64 = 0.75;
+use crate::motion::tolerances::{BENT_THROUGH_POLE, CONTROL_CHOOSES_NEAR_POLE, NO_GREAT_CIRCLE, PASSES_POLE};
 
 /// Whether the programs of a job have stretches whose blocks contain tool vectors.
 pub(crate) fn has_vectors(policy: Policy<'_>) -> bool {
@@ -29,7 +23,8 @@ pub(crate) fn has_vectors(policy: Policy<'_>) -> bool {
 
 /// Largest angle between a pole and a path that is led through it, rad; `None` if none is.
 pub(super) fn largest_bend(policy: Policy<'_>, limited: bool) -> Option<f64> {
-    (limited && has_vectors(policy)).then_some(NEAR_POLE.min(BENT * policy.options.axis_tolerance_path_rad))
+    (limited && has_vectors(policy))
+        .then_some(CONTROL_CHOOSES_NEAR_POLE.min(BENT_THROUGH_POLE * policy.options.axis_tolerance_path_rad))
 }
 
 impl Placer {
@@ -52,12 +47,12 @@ impl Placer {
         to: &UnitVector3<f64>,
     ) -> Option<(f64, UnitVector3<f64>, f64)> {
         let (a, b) = (from.into_inner(), to.into_inner());
-        let normal = a.cross(&b).try_normalize(1e-12)?;
+        let normal = a.cross(&b).try_normalize(NO_GREAT_CIRCLE)?;
         self.poles.axes.iter().find_map(|pole| {
             let p = pole.into_inner();
             let from_pole = |axis: &Vector3<f64>| axis - p * p.dot(axis);
             let (before, after) = (from_pole(&a), from_pole(&b));
-            if before.dot(&after) > -0.5 * before.norm() * after.norm() {
+            if before.dot(&after) > PASSES_POLE * before.norm() * after.norm() {
                 return None;
             }
             let nearest = p - normal * p.dot(&normal);
@@ -77,7 +72,8 @@ impl Placer {
     }
 
     fn check_path_near_pole(&self, from: &AxisPosition, to: &AxisPosition) -> Result<(), Fault> {
-        let passed = self.passing(&from.pose.axis, &to.pose.axis).filter(|(_, _, angle)| *angle < NEAR_POLE);
+        let passed =
+            self.passing(&from.pose.axis, &to.pose.axis).filter(|(_, _, angle)| *angle < CONTROL_CHOOSES_NEAR_POLE);
         let (Some((_, _, angle)), Some(first)) = (passed, self.rotary.axes.first()) else { return Ok(()) };
         let letter = self.chain[first.index].letter;
         Err(Fault::new(format_args!(

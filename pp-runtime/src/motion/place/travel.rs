@@ -13,13 +13,8 @@ use crate::motion::options::Policy;
 use crate::motion::step::MAX_AXES;
 
 use super::chain::rotaries;
+use crate::motion::tolerances::{AXIS_VALUE_NOISE, NO_GAUGE_SHARE};
 use crate::set_up::along_axes;
-
-/// Allowance for the noise of floating-point sums, so that limits remain inclusive.
-const NOISE_MM: f64 = 1e-6;
-
-/// Smallest share of the gauge length along an axis that counts.
-const NO_SHARE: f64 = 1e-12;
 
 /// Travel of one solved linear axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -187,7 +182,7 @@ impl LinearTravel {
     }
 
     fn gauge(&self, length: Option<f64>) -> Option<f64> {
-        if self.share.abs() < NO_SHARE && !self.has_rotary_head {
+        if self.share.abs() < NO_GAUGE_SHARE && !self.has_rotary_head {
             Some(0.0)
         } else {
             length.map(|length| length * self.share)
@@ -216,7 +211,7 @@ impl LinearTravel {
         let (lowest, highest) = self.span.map_or((here, here), |(low, high)| (smaller(here, low), larger(here, high)));
         self.span = Some((lowest, highest));
         let travel = limits.upper - limits.lower;
-        if highest - lowest <= travel + NOISE_MM {
+        if highest - lowest <= travel + AXIS_VALUE_NOISE {
             return Ok(());
         }
         Err(Fault::new(format_args!(
@@ -228,5 +223,5 @@ impl LinearTravel {
 }
 
 fn inside(limits: Limits, coordinate: f64) -> bool {
-    (limits.lower - NOISE_MM..=limits.upper + NOISE_MM).contains(&coordinate)
+    (limits.lower - AXIS_VALUE_NOISE..=limits.upper + AXIS_VALUE_NOISE).contains(&coordinate)
 }

@@ -24,19 +24,7 @@ use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::MotionIndex;
 use crate::motion::step::BlockReason;
 use crate::motion::step::{AxisWords, FeedWord, Sink, Step};
-
-/// Largest number of revolutions of one record; more are a fault of the file.
-const MOST_REVOLUTIONS: f64 = 1e6;
-
-/// Largest displacement of an end in its plane by rounding, units: half the diagonal of a square.
-const ROUNDED: f64 = 0.7072;
-
-/// Largest distance, in units, between the end of an arc by its angles and the end of its words: more than rounding of
-/// one centre explains is an accumulation over pieces, which the next motion would begin with.
-const MOST_DRIFT: f64 = 2.0;
-
-/// Excess over whole revolutions that is rounding of arithmetic, revolutions.
-const WHOLE: f64 = 1e-9;
+use crate::motion::tolerances::{ARC_END_DRIFT, MOST_REVOLUTIONS, ROUNDED_END, WHOLE_REVOLUTIONS};
 
 /// Reason why an arc is not written as an arc.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,7 +68,7 @@ struct Cuts {
 impl Cuts {
     /// Both divisions of an arc, the preferred one first; none for too many revolutions.
     fn of(angle_rad: f64) -> Option<[Self; 2]> {
-        let revolutions = if angle_rad <= TAU { 1.0 } else { (angle_rad / TAU - WHOLE).ceil().max(1.0) };
+        let revolutions = if angle_rad <= TAU { 1.0 } else { (angle_rad / TAU - WHOLE_REVOLUTIONS).ceil().max(1.0) };
         (revolutions <= MOST_REVOLUTIONS).then(|| {
             let (whole, halves) = (revolutions as u32, 2 * revolutions as u32);
             [Self { pieces: whole, part: TAU / angle_rad }, Self { pieces: halves, part: 1.0 / f64::from(halves) }]
@@ -253,7 +241,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             before = Some((to, drift));
         }
         let last = self.piece(in_program, cuts.share(cuts.pieces), self.end_of(before.as_ref()), end);
-        Ok(last.filter(|last| math::hypot(last.drift[0], last.drift[1]) <= MOST_DRIFT))
+        Ok(last.filter(|last| math::hypot(last.drift[0], last.drift[1]) <= ARC_END_DRIFT))
     }
 
     /// Start of a piece: the end of the one before it, or the present place.
@@ -311,7 +299,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         // The height is proportional to the angle. Seen from the nominal centre, a point leads by the displacement of the
         // centre, by as much again because the ends do not lead, and by their rounding; heights are rounded, too.
         let height = |deviation: CircleDeviation| {
-            lean_mm + 0.5 * unit + self.round.slope().abs() * (2.0 * deviation.centre_mm + ROUNDED * unit)
+            lean_mm + 0.5 * unit + self.round.slope().abs() * (2.0 * deviation.centre_mm + ROUNDED_END * unit)
         };
         let drifted = unit * math::hypot(drift[0], drift[1]);
         let within =

@@ -17,17 +17,13 @@ use crate::motion::options::{ArcOutput, CutterPath, Policy, StretchMode};
 use crate::program::{Arc, Compensation, CutterSide, Event, Move};
 
 use crate::motion::fault::{Fault, Planned};
-use crate::motion::geometry::SAME_AXIS;
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::abilities::CutterRadius;
 use crate::motion::plan::tool::LoadedTool;
 use crate::motion::plan::{MotionAndNext, Planner};
 use crate::motion::source::MotionIndex;
 use crate::motion::step::{Sink, Step};
-
-/// Largest height of a motion that lies in the plane, mm: in a tilted plane both ends of CL data with three decimals are up
-/// to 0.87 µm off.
-const FLAT: f64 = 2e-3;
+use crate::motion::tolerances::{IN_CUTTER_PLANE, SAME_AXIS};
 
 /// Largest delta of the radius in a tool call, mm.
 const LARGEST_DELTA: f64 = 99.999;
@@ -203,7 +199,7 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'
     let from = *planner.mover.here();
     let step = in_program(planner, &from, motion);
     let unit = planner.mover.placer().unit_mm();
-    let flat = |step: &Vector3<f64>| step.z.abs() <= (0.5 * unit).max(FLAT);
+    let flat = |step: &Vector3<f64>| step.z.abs() <= (0.5 * unit).max(IN_CUTTER_PLANE);
     let line = |step: &Vector3<f64>| !motion.rapid && flat(step) && math::hypot(step.x, step.y) >= unit;
     match planner.cutter.state {
         Compensating::Off => {}

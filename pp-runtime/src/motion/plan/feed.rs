@@ -20,12 +20,7 @@ use crate::program::Units;
 use crate::motion::fault::Fault;
 use crate::motion::plan::abilities::Abilities;
 use crate::motion::step::FeedWord;
-
-/// Largest speed of the tip in units of its feed.
-const FASTER: f64 = 1.01;
-
-/// Largest change of the length of a block by the rounding of its words, in units of the linear words.
-const ROUNDED_UNITS: f64 = 2.0;
+use crate::motion::tolerances::{FASTER, RESTING_BLOCK, ROUNDED_BLOCK_LENGTH};
 
 /// Computes F words.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -145,7 +140,7 @@ impl Feeds {
 
     /// Largest speed of the tip, times the time of a block of this length, that does not slow the block down, mm.
     pub(crate) fn largest_tip_rate_mm(&self, length_mm: f64) -> f64 {
-        FASTER * length_mm + ROUNDED_UNITS * self.smallest_length_mm
+        FASTER * length_mm + ROUNDED_BLOCK_LENGTH * self.smallest_length_mm
     }
 
     /// Unit of length of the program, mm.
@@ -270,15 +265,15 @@ impl Feeds {
 
     /// Time of a motion at the feed of the CL data, mm/min; where the tip rests, at the speed for reorientation.
     pub(crate) fn programmed_min(&self, feed: f64, motion: FeedMotion) -> f64 {
-        let uneven_mm = (motion.tip_rate_mm - ROUNDED_UNITS * self.smallest_length_mm) / FASTER;
+        let uneven_mm = (motion.tip_rate_mm - ROUNDED_BLOCK_LENGTH * self.smallest_length_mm) / FASTER;
         let along_path = larger(uneven_mm, motion.length_mm) / feed;
         let time_min = if motion.length_mm < self.smallest_length_mm {
             along_path.max(motion.rotation_rad / self.reorient_rad_per_min)
         } else {
             along_path
         };
-        // Where neither tip nor tool axis moves by a unit, any time will do: a thousandth of a minute is short.
-        if time_min > 0.0 { time_min } else { 1e-3 }
+        // Where neither tip nor tool axis moves by a unit, any time will do.
+        if time_min > 0.0 { time_min } else { RESTING_BLOCK }
     }
 }
 

@@ -19,25 +19,13 @@ use crate::motion::source::{Begins, MotionIndex, Next};
 use crate::motion::step::BlockReason;
 use crate::motion::step::{AxisWords, FeedWord, Sink, Step};
 use crate::motion::step::{CannedCycle, CannedKind};
+use crate::motion::tolerances::{
+    LEAN_BY_ROUNDING, MOST_HOLE_STEPS, NO_ORIENT_ANGLE_DEG, ROUNDED_PITCH, SAME_BORE_SHIFT, SAME_LEVEL, THREAD_FEED,
+};
 use crate::nalgebra::Vector3;
-
-/// Largest number of steps of a hole.
-const MOST_STEPS: u32 = 10_000;
-
-/// Largest distance between equal levels, mm.
-const SAME_LEVEL: f64 = 1e-9;
 
 /// Decimals of the angle at which the spindle stops.
 const ORIENT_DECIMALS: u32 = 3;
-
-/// Units of a rotary word by which the rounding of all angles may rotate Z of the program.
-const ROUNDED: f64 = 2.0;
-
-/// Largest relative rounding of a pitch: 4 µm in a thread 20 mm long.
-const PITCH: f64 = 2e-4;
-
-/// Largest relative deviation of the F of a thread from pitch times speed, by its rounding.
-const THREAD_FEED: f64 = 1e-4;
 
 /// Reason why a hole is not written as a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -129,9 +117,9 @@ fn steps(hole: &Hole) -> Result<impl Iterator<Item = f64>, Fault> {
             (hole.depth_mm, hole.depth_mm)
         }
     };
-    if (hole.depth_mm - first) / later > f64::from(MOST_STEPS - 1) {
+    if (hole.depth_mm - first) / later > f64::from(MOST_HOLE_STEPS - 1) {
         let text =
-            format!("a hole {} mm deep in steps of {later} mm takes more than {MOST_STEPS} steps", hole.depth_mm);
+            format!("a hole {} mm deep in steps of {later} mm takes more than {MOST_HOLE_STEPS} steps", hole.depth_mm);
         return Err(Fault::new(text).help("check the step of the cycle and its unit"));
     }
     let depth = hole.depth_mm;
@@ -298,7 +286,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         // The words show no less.
         let allowed = self.planner.mover.tolerance().tip_mm.max(0.5 * placer.unit_mm());
         if along.z < 0.0 || off_mm > allowed {
-            let rounded = along.z > 0.0 && leans <= ROUNDED * placer.scale().angle(1);
+            let rounded = along.z > 0.0 && leans <= LEAN_BY_ROUNDING * placer.scale().angle(1);
             return Ok(Err(NoCycle::Leans { off_mm, rounded }));
         }
         let kind = match self.kind()? {
@@ -425,14 +413,14 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             return Err(Fault::new("boring with the spindle off").help("give SPINDL/ON before it"));
         };
         let degrees = orient_rad.to_degrees();
-        if !can.states_angle && degrees.abs() > SAME_LEVEL {
+        if !can.states_angle && degrees.abs() > NO_ORIENT_ANGLE_DEG {
             let text =
                 format!("the machine stops the spindle at its own angle, and the CL data asks for {degrees} degrees");
             return Err(Fault::new(text).help("write ORIENT,0 and mount the tool for the angle of the machine"));
         }
         let shift_mm = options.bore_shift_mm;
         if let Some(fixed) = can.fixed_shift_um.map(|shift| f64::from(shift) * 1e-3)
-            && (fixed - shift_mm).abs() > SAME_LEVEL
+            && (fixed - shift_mm).abs() > SAME_BORE_SHIFT
         {
             let text = format!("this control moves the tool off the wall by {fixed} mm, not by {shift_mm} mm");
             return Err(Fault::new(text).help("leave `cycles.bore_shift` out"));
@@ -461,7 +449,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let too_large = |_| Fault::new("the pitch or the spindle speed of this thread is too large for a word");
         let exact = pitch / self.planner.mover.feeds().unit_mm();
         let pitch = Decimal::fixed(exact, self.planner.abilities.cycles.pitch_decimals).map_err(too_large)?;
-        if (pitch.value() / exact - 1.0).abs() > PITCH {
+        if (pitch.value() / exact - 1.0).abs() > ROUNDED_PITCH {
             let fault =
                 Fault::new(format_args!("the pitch of this thread, {exact}, needs more decimals than its word has"));
             return Err(

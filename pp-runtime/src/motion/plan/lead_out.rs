@@ -4,19 +4,11 @@
 use nalgebra::Point3;
 
 use crate::kinematics::Pose;
-
-/// Largest angle between the tool axis and a motion along it, rad.
-const ALONG: f64 = 1e-3;
+use crate::motion::tolerances::{ALONG_TOOL_AXIS, NO_DIRECTION, SAME_POINT};
 
 /// Square of a length in that of its part along the axis, above which the rest is neither along the axis nor too short for a
 /// direction.
 const FAR_FROM_AXIS: f64 = 1.1;
-
-/// Motions shorter than this have no direction, mm.
-const SHORTEST: f64 = 1e-9;
-
-/// Two points of CL data that are one point, rounded to three decimals of a millimetre or four of an inch, mm.
-const SAME_POINT: f64 = 0.005;
 
 /// Running length of the last motions along the positive tool axis.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -35,7 +27,7 @@ impl LeadOut {
     /// Takes one motion.
     #[inline(always)]
     pub(crate) fn follow(&mut self, from: &Pose, to: &Pose) {
-        if (to.axis.into_inner() - from.axis.into_inner()).norm_squared() > ALONG * ALONG {
+        if (to.axis.into_inner() - from.axis.into_inner()).norm_squared() > ALONG_TOOL_AXIS * ALONG_TOOL_AXIS {
             *self = Self::default();
             return;
         }
@@ -46,14 +38,14 @@ impl LeadOut {
         let step = to.tip - from.tip;
         let along = step.dot(&to.axis);
         // Nearly every cut: it is far from the direction of the axis.
-        if step.norm_squared() > FAR_FROM_AXIS * (along * along + SHORTEST * SHORTEST) {
+        if step.norm_squared() > FAR_FROM_AXIS * (along * along + NO_DIRECTION * NO_DIRECTION) {
             *self = Self::default();
             return;
         }
         let across = (step - to.axis.into_inner() * along).norm();
-        if along > SHORTEST && across <= ALONG * along {
+        if along > NO_DIRECTION && across <= ALONG_TOOL_AXIS * along {
             *self = Self { length_mm: self.length_mm + along, end: Some(to.tip) };
-        } else if along.abs() > SHORTEST || across > SHORTEST {
+        } else if along.abs() > NO_DIRECTION || across > NO_DIRECTION {
             *self = Self::default();
         }
     }

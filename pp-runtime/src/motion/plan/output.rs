@@ -15,9 +15,7 @@ use crate::motion::plan::statistics::Statistics;
 use crate::motion::plan::threads::Threads;
 use crate::motion::step::{BlockReason, Provenance, ReachedPosition};
 use crate::motion::step::{FeedWord, Sink, Step};
-
-/// Largest deviation of the tool axis that is rounding of arithmetic, rad.
-const NO_DEVIATION: f64 = 1e-12;
+use crate::motion::tolerances::NO_DEVIATION;
 
 /// Whether the steps at hand may be skipped at the control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -5,12 +5,9 @@
 
 use crate::kinematics::Pose;
 
-use crate::motion::geometry::SAME_AXIS;
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::lead_out::LeadOut;
-
-/// Smallest depth of a rapid below the lowest cut that gets a remark, mm.
-const PLUNGE: f64 = 0.001;
+use crate::motion::tolerances::{ALONG_TOOL_AXIS, DEEP_PLUNGE, SAME_AXIS};
 
 /// Position of the machine.
 #[derive(Debug, Clone)]
@@ -237,7 +234,7 @@ impl Position {
         let across = (step + to.axis.into_inner() * down).norm();
         let same = (lowest.axis.into_inner() - to.axis.into_inner()).norm() < SAME_AXIS;
         let depth = -(to.tip - lowest.tip).dot(&to.axis);
-        if same && down > 0.0 && across <= 1e-3 * down && depth > PLUNGE && !self.plunge_reported {
+        if same && down > 0.0 && across <= ALONG_TOOL_AXIS * down && depth > DEEP_PLUNGE && !self.plunge_reported {
             self.plunge_reported = true;
             return Some(depth);
         }

@@ -11,18 +11,13 @@
 
 use crate::kinematics::Pose;
 use crate::motion::fault::Planned;
-use crate::motion::geometry::{SAME_AXIS, is_separated, line_enters};
+use crate::motion::geometry::{is_separated, line_enters};
 use crate::motion::options::{Links, Rapid, Transition};
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::{MotionAndNext, Planner};
 use crate::motion::rotary::RotaryTarget;
 use crate::motion::step::Sink;
-
-/// Depth in the clearance geometry, in units of the words, that is their rounding.
-const GRAZE: f64 = 2.0;
-
-/// Largest distance from its axis of a motion along the tool axis, in units of the words.
-const ALONG: f64 = 2.0;
+use crate::motion::tolerances::{GRAZES_CLEARANCE, RAPID_ALONG_TOOL, SAME_AXIS};
 
 /// Path of a rapid.
 #[derive(Debug, Clone, Copy)]
@@ -79,8 +74,8 @@ impl<S: Sink> Planner<'_, S> {
         let (axis, step) = (place.pose.axis.into_inner(), place.pose.tip - here.pose.tip);
         let across = (step - axis * step.dot(&axis)).norm();
         let holds_axis = (here.pose.axis.into_inner() - axis).norm() <= SAME_AXIS;
-        let graze_mm = GRAZE * placer.unit_mm();
-        if holds_axis && across <= ALONG * placer.unit_mm()
+        let graze_mm = GRAZES_CLEARANCE * placer.unit_mm();
+        if holds_axis && across <= RAPID_ALONG_TOOL * placer.unit_mm()
             || line_enters(clearance, &here.pose.tip, &place.pose.tip, graze_mm)
         {
             return false;

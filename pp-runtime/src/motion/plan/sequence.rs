@@ -17,19 +17,13 @@ use crate::motion::options::Transition;
 use crate::program::{Location, Move};
 
 use crate::motion::fault::{Fault, Planned};
-use crate::motion::geometry::SAME_AXIS;
 use crate::motion::plan::tool::LoadedTool;
 use crate::motion::plan::{MotionAndNext, Planner, cutter, records};
 use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::Next;
 use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step, ToolRoutine};
-
-/// Largest distance of a point that lies on a line, mm.
-const ON_LINE: f64 = 0.001;
-
-/// A retract that is shorter by less than this is long enough, mm.
-const ENOUGH: f64 = 1e-6;
+use crate::motion::tolerances::{LED_OUT, ON_LINE, SAME_AXIS};
 
 impl<S: Sink> Planner<'_, S> {
     /// Step 1 and the first half of 2, if the tool is at the part.
@@ -45,7 +39,7 @@ impl<S: Sink> Planner<'_, S> {
         let configured = self.policy.options.retract.distance_mm;
         let out = self.clearance.retract_distance_mm(&here.pose);
         match configured.or_else(|| out.map(|distance| distance + led_out)) {
-            Some(distance) if led_out + ENOUGH < distance => {
+            Some(distance) if led_out + LED_OUT < distance => {
                 let (distance, what) = match configured {
                     Some(distance) => (distance, "`retract.distance` ="),
                     None => (distance - led_out, "to the clearance geometry,"),
@@ -59,7 +53,7 @@ impl<S: Sink> Planner<'_, S> {
             }
             Some(_) => {}
             None if self.mover.retracts_along_tool() => {}
-            None if led_out > ENOUGH => self.check_lead_out(led_out),
+            None if led_out > LED_OUT => self.check_lead_out(led_out),
             None => {
                 return Err(Fault::new(
                     "the tool has to leave the part here, but the CL data before this line does not retract it along its \
@@ -76,7 +70,7 @@ impl<S: Sink> Planner<'_, S> {
     /// Adds a remark where the CL data leads the tool out by less than the approach distance.
     fn check_lead_out(&mut self, led_out: f64) {
         let wanted = self.policy.options.approach.distance_mm;
-        if led_out + ENOUGH < wanted {
+        if led_out + LED_OUT < wanted {
             let text = format!(
                 "before this line the CL data retracts the tool by only {led_out:.3} mm, less than `approach.distance` = \
                  {wanted} mm"

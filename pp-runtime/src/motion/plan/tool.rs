@@ -8,9 +8,7 @@ use crate::set_up::GivenTool as Given;
 
 use crate::motion::fault::Fault;
 use crate::motion::plan::abilities::Registers;
-
-/// Largest difference between two lengths or diameters of the same tool, mm.
-const SAME: f64 = 0.01;
+use crate::motion::tolerances::SAME_TOOL_SIZE;
 
 /// The tool in the spindle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,12 +48,12 @@ impl LoadedTool {
         let number = call.number;
         let given = policy.set_up.tools.get(&number);
         if let (Some(before), Some(now)) = (before.length_mm, call.length_mm)
-            && (before - now).abs() > SAME
+            && (before - now).abs() > SAME_TOOL_SIZE
         {
             return Err(Fault::new(format_args!("T{number} is called with two lengths, {before} mm and {now} mm")));
         }
         let length = match (given.and_then(|tool| tool.length_mm), call.length_mm.or(before.length_mm)) {
-            (Some(ours), Some(theirs)) if (ours - theirs).abs() > SAME => {
+            (Some(ours), Some(theirs)) if (ours - theirs).abs() > SAME_TOOL_SIZE => {
                 let fault = Fault::new(format_args!(
                     "T{number} is {ours} mm long in the configuration and {theirs} mm in the CL data"
                 ))
@@ -75,7 +73,7 @@ impl LoadedTool {
                 .help(format_args!("give `[tools.{number}] length` in the configuration, or LENGTH in LOADTL")));
         }
         if let (Some(ours), Some(theirs)) = (given.and_then(|tool| tool.diameter_mm), call.diameter_mm)
-            && (ours - theirs).abs() > SAME
+            && (ours - theirs).abs() > SAME_TOOL_SIZE
         {
             warn(Fault::new(format_args!(
                 "T{number} has a diameter of {ours} mm in the configuration and {theirs} mm in the CL data"

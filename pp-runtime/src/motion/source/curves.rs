@@ -9,9 +9,7 @@ use crate::nalgebra::{Point3, Vector3};
 use crate::program::{Move, Spline};
 
 use crate::motion::fault::Fault;
-
-/// Most chords in one span of a curve; more indicate a fault in the file.
-const MAX_CHORDS: f64 = 1e6;
+use crate::motion::tolerances::MOST_CHORDS;
 
 /// The chord tolerance in force.
 #[derive(Debug, Clone)]
@@ -94,7 +92,7 @@ pub(crate) fn chords<E>(
         // of these differences.
         let bend = (a - b * 2.0 + c).norm().max((b - c * 2.0 + d).norm());
         let chords = (6.0 * bend / (8.0 * tolerance)).sqrt().ceil().max(1.0);
-        if chords.is_nan() || chords > MAX_CHORDS {
+        if chords.is_nan() || chords > MOST_CHORDS {
             return out(Err(
                 Fault::new("this curve cannot be cut into chords").help("check its knots, its points and LINTOL")
             ));

@@ -29,11 +29,11 @@ use crate::program::{Arc, Event, Hole, Location, Move, Spline, ToolCall};
 use crate::motion::fault::Fault;
 
 pub use lookahead::Next;
-pub(crate) use operations::HELD;
 pub use operations::{Begins, MotionIndex};
 pub(crate) use setting::Setting;
 pub use settings::{Chosen, ChosenSettings, OperationStart};
 
+use crate::motion::tolerances::SAME_POSE;
 use curves::Curves;
 use lookahead::Lookahead;
 use operations::MotionCounter;
@@ -337,9 +337,6 @@ impl Expansion<'_> {
         self.lookahead.boundary(self.at, event, to)
     }
 }
-
-/// Largest distance of equal points, mm, and of equal tool axes.
-const SAME_POSE: f64 = 1e-9;
 
 /// Whether two poses are the same.
 fn is_at(one: &Pose, other: &Pose) -> bool {

@@ -8,13 +8,9 @@
 use crate::kinematics::{AnyMachine, Pose, Side};
 use crate::motion::options::{Policy, Transition};
 use crate::motion::place::rotaries_of;
+use crate::motion::tolerances::{HELD_AXIS, SAME_AXIS};
 use crate::nalgebra::UnitVector3;
 use crate::program::{Hole, Move};
-
-use crate::motion::geometry::SAME_AXIS;
-
-/// Largest angle by which a tool axis that is held differs from that at the begin of its stretch, rad: the digits of CL data.
-pub(crate) const HELD: f64 = 1e-5;
 
 /// Relation of a motion to the one before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -213,7 +209,7 @@ impl MotionCounter {
             self.stretch_axis = before.filter(|_| !air && begins != Begins::Operation).or(Some(end.axis));
             self.has_rotated = false;
         }
-        let rotates_axis = !air && (self.has_rotated || self.stretch_axis.is_some_and(|axis| differs(axis, HELD)));
+        let rotates_axis = !air && (self.has_rotated || self.stretch_axis.is_some_and(|axis| differs(axis, HELD_AXIS)));
         let motion = self.next_motion;
         self.next_motion += 1;
         MotionIndex { motion, operation: self.operation, stretch: self.stretch, begins, rotates_axis }

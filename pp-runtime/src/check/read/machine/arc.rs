@@ -7,13 +7,8 @@ use std::f64::consts::TAU;
 use super::super::block::{ArcMove, MAX_AXES};
 use super::super::draft::Draft;
 use super::Interpreter;
+use crate::check::tolerances::{EQUAL_RADII, FULL_CIRCLE, RADIUS_BELOW_HALF_CHORD};
 use crate::kinematics::math::hypot;
-
-/// Radii at both ends may differ by so much more than rounding, mm.
-const SAME_RADIUS: f64 = 0.002;
-
-/// Ends nearer than this are one point: a full circle, mm.
-const ONE_POINT: f64 = 1e-9;
 
 /// The arc of a block from where the axes stood to where the interpreter has put them.
 pub(super) fn of(
@@ -43,8 +38,8 @@ pub(super) fn of(
         None => turn(start, stop, centre, clockwise),
     };
     let radii = [start, stop].map(|[x, y]| hypot(x - centre[0], y - centre[1]));
-    let largest = SAME_RADIUS + 3.0 * machine.rounding;
-    if (radii[0] - radii[1]).abs() > largest || radii[0] < ONE_POINT {
+    let largest = EQUAL_RADII + 3.0 * machine.rounding;
+    if (radii[0] - radii[1]).abs() > largest || radii[0] < FULL_CIRCLE {
         return Err(format!(
             "start and end of the arc are {:.4} and {:.4} mm from its centre: expected equal radii above 0",
             radii[0], radii[1]
@@ -78,11 +73,11 @@ fn by_centre(draft: &Draft, unit: f64, start: [f64; 2], [u, v, w]: [usize; 3]) -
 fn by_radius(start: [f64; 2], stop: [f64; 2], radius: f64, clockwise: bool) -> Result<[f64; 2], String> {
     let (dx, dy) = (stop[0] - start[0], stop[1] - start[1]);
     let chord = hypot(dx, dy);
-    if chord < ONE_POINT {
+    if chord < FULL_CIRCLE {
         return Err("a full circle cannot be programmed with its radius".to_owned());
     }
     let square = radius * radius - chord * chord / 4.0;
-    if square < -1e-3 * radius.abs() {
+    if square < -RADIUS_BELOW_HALF_CHORD * radius.abs() {
         return Err(format!("a radius of {:.4} mm is too small for a chord of {chord:.4} mm", radius.abs()));
     }
     // To the left of the chord the centre of a short counter-clockwise arc.
@@ -94,7 +89,7 @@ fn by_radius(start: [f64; 2], stop: [f64; 2], radius: f64, clockwise: bool) -> R
 fn turn(start: [f64; 2], stop: [f64; 2], centre: [f64; 2], clockwise: bool) -> f64 {
     let (a, b) = ([start[0] - centre[0], start[1] - centre[1]], [stop[0] - centre[0], stop[1] - centre[1]]);
     let left = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).rem_euclid(TAU);
-    let whole = hypot(start[0] - stop[0], start[1] - stop[1]) < ONE_POINT;
+    let whole = hypot(start[0] - stop[0], start[1] - stop[1]) < FULL_CIRCLE;
     match (whole, clockwise) {
         (true, false) => TAU,
         (true, true) => -TAU,

@@ -3,9 +3,7 @@
 use super::super::block::{Fault, FeedMode, Length, MAX_AXES, Side, Tilt, TipControl, coolant};
 use super::super::draft::{Draft, LengthCode, TiltCode, fault};
 use super::{Frames, Interpreter};
-
-/// Largest error of the length of a tool axis with rounded components.
-const UNIT: f64 = 5e-3;
+use crate::check::tolerances::UNIT_VECTOR;
 
 impl Interpreter {
     pub(super) fn set_state(&mut self, draft: &Draft, faults: &mut Vec<Fault>) {
@@ -150,7 +148,7 @@ impl Interpreter {
             fault(faults, 0, "a tool axis is programmed while tip control is off");
         }
         if draft.vector_written == 7 {
-            if (nalgebra::Vector3::from(draft.vector).norm() - 1.0).abs() > UNIT {
+            if (nalgebra::Vector3::from(draft.vector).norm() - 1.0).abs() > UNIT_VECTOR {
                 fault(faults, 0, "the components of the tool axis are those of no unit vector");
             }
             state.vector = nalgebra::Vector3::from(draft.vector).try_normalize(0.0);

@@ -7,12 +7,7 @@ use super::super::block::{Action, Block, CycleKind, CycleMove, Fault, Length, MA
 use super::super::draft::{Code, Draft, fault};
 use super::Interpreter;
 use super::arc;
-
-/// Angles nearer to half a turn than this have no shorter way, rad.
-const HALF_TURN: f64 = 1e-9;
-
-/// Rotary positions nearer than this are the same, rad.
-const SAME_ANGLE: f64 = 1e-9;
+use crate::check::tolerances::{ROLLOVER_NOISE, SAME_ROTARY_WORD};
 
 impl Interpreter {
     pub(super) fn motion(&mut self, draft: &Draft, block: &mut Block) -> Action {
@@ -108,7 +103,8 @@ impl Interpreter {
     /// Rotary words that have moved their axes take them out of the tilted plane.
     pub(super) fn left_plane(&mut self, rotary: u16, (from, known): ([f64; MAX_AXES], u16)) {
         let Some(tilt) = &mut self.state.tilt else { return };
-        let moved = |index: usize| known & (1 << index) == 0 || (self.values[index] - from[index]).abs() > SAME_ANGLE;
+        let moved =
+            |index: usize| known & (1 << index) == 0 || (self.values[index] - from[index]).abs() > SAME_ROTARY_WORD;
         if (0..self.axes.len()).any(|index| rotary & (1 << index) != 0 && moved(index)) {
             tilt.oriented = false;
         }
@@ -258,13 +254,13 @@ impl Interpreter {
             RolloverRule::Sign => {
                 let forward = (value.abs() - from).rem_euclid(TAU);
                 // What is already there does not turn, whatever its rounding.
-                let forward = if TAU - forward < HALF_TURN { 0.0 } else { forward };
+                let forward = if TAU - forward < ROLLOVER_NOISE { 0.0 } else { forward };
                 // The sign is that of the word, also of -0.
-                if forward < HALF_TURN || value.is_sign_positive() { from + forward } else { from + forward - TAU }
+                if forward < ROLLOVER_NOISE || value.is_sign_positive() { from + forward } else { from + forward - TAU }
             }
             RolloverRule::Shortest => {
                 let way = (value - from + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
-                if TAU / 2.0 - way.abs() < HALF_TURN {
+                if TAU / 2.0 - way.abs() < ROLLOVER_NOISE {
                     fault(faults, 0, "rotary motion of exactly 180°: the control may rotate in either direction");
                 }
                 from + way

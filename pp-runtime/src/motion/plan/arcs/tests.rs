@@ -5,11 +5,12 @@ use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 
-use super::{Cuts, WHOLE};
+use super::Cuts;
 use crate::config::Config;
 use crate::kinematics::machines::{Ay, Cb, Head, Mirrored, Xyz};
 use crate::kinematics::{AxisKind, Machine, Pose};
 use crate::motion::tests::{Run, config, feed, run, spindle, tool};
+use crate::motion::tolerances::WHOLE_REVOLUTIONS;
 use crate::motion::{ArcForm, ArcOutput};
 use crate::nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
 use crate::program::{Arc, Event, Feed};
@@ -17,9 +18,15 @@ use crate::set_up::GivenTool;
 
 #[test]
 fn an_arc_has_the_pieces_of_its_quotient_by_a_revolution() {
-    let near = [TAU.next_down(), TAU, TAU.next_up(), TAU * (1.0 + 0.5 * WHOLE), TAU * (1.0 + 3.0 * WHOLE)];
+    let near = [
+        TAU.next_down(),
+        TAU,
+        TAU.next_up(),
+        TAU * (1.0 + 0.5 * WHOLE_REVOLUTIONS),
+        TAU * (1.0 + 3.0 * WHOLE_REVOLUTIONS),
+    ];
     for angle_rad in near.into_iter().chain([1e-9, 1.0, 2.0 * TAU, 3.5 * TAU]) {
-        let revolutions = (angle_rad / TAU - WHOLE).ceil().max(1.0) as u32;
+        let revolutions = (angle_rad / TAU - WHOLE_REVOLUTIONS).ceil().max(1.0) as u32;
         let pieces = Cuts::of(angle_rad).map(|divisions| divisions.map(|cuts| cuts.pieces));
         assert_eq!(pieces, Some([revolutions, 2 * revolutions]), "{angle_rad}");
     }

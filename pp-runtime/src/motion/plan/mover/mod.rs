@@ -25,9 +25,9 @@ use crate::motion::plan::feed::{FeedMotion, Feeds, Pace};
 use crate::motion::plan::output::Output;
 use crate::motion::plan::position::Position;
 use crate::motion::rotary::{Rollover, RotaryTarget, RotaryWords};
-use crate::motion::source::HELD;
 use crate::motion::step::{AxisWords, MAX_AXES, Sink, Step};
 use crate::motion::step::{BlockReason, ReachedPosition};
+use crate::motion::tolerances::{CONVERTED_NOISE, HELD_AXIS};
 use crate::shortcut::Shortcut;
 
 /// Moves the machine.
@@ -216,7 +216,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         let here = self.position.place();
         if self.placer.mode() == StretchMode::Plane && planned.is_none() && self.position.is_known() {
             let distance = here.pose.axis.into_inner() - pose.axis.into_inner();
-            if distance.norm_squared() <= HELD * HELD {
+            if distance.norm_squared() <= HELD_AXIS * HELD_AXIS {
                 return self.placer.shifted(pose.tip, here);
             }
         }
@@ -253,7 +253,8 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// Whether a motion rotates a rotary axis by more than the index angle.
     pub(crate) fn indexes(&self, to: &AxisPosition) -> bool {
-        self.placer.rotary_travel(&self.here().words, &to.words) > self.policy.options.rapids.index_angle_rad + 1e-9
+        self.placer.rotary_travel(&self.here().words, &to.words)
+            > self.policy.options.rapids.index_angle_rad + CONVERTED_NOISE
     }
 
     /// Whether rotary axes would rotate while the plane is tilted.
