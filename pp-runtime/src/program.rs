@@ -5,13 +5,13 @@
 //!
 //! ```
 //! use pp_runtime::cl::{ClReader, ReadingOptions};
-//! use pp_runtime::program::{Event, Units};
+//! use pp_runtime::program::{Event, ToolMotion, Units};
 //!
 //! let options = ReadingOptions { units: Some(Units::Inches), ..ReadingOptions::default() };
 //! let mut reader = ClReader::new(&b"GOTO/0,0,1\nFEDRAT/10,IPM\nGOTO/2,0,1\n"[..], options);
 //! let mut tips = Vec::new();
 //! while let Some((_, event)) = reader.next_event()? {
-//!     if let Event::Move(motion) = event {
+//!     if let Event::Motion(ToolMotion::Move(motion)) = event {
 //!         tips.push(motion.pose.tip);
 //!     }
 //! }
@@ -422,32 +422,29 @@ pub enum RotaryDirection {
     Towards(Rotation),
 }
 
-/// One instruction of the CL data.
+/// One instruction of the CL data, in its group.
+///
+/// A pass over the program matches the events that it acts on, and all others by their group: a new event of a group has
+/// the properties of that group everywhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Event<'a> {
-    /// PARTNO: name of the program, as written.
-    Name(&'a [u8]),
-    /// MACHIN: name of the machine that the CL data was made for, as written.
-    MachineName(&'a [u8]),
-    /// TOOL PATH: begin of an operation, with its name as written.
-    Operation(&'a [u8]),
-    /// The next motion begins with the safe sequence.
-    SafeSequence,
-    /// The set-up of this number begins, counted from 1: the part is clamped again, with its own origin, rotation and work
-    /// offset. Begins like an operation.
-    SetUp(u32),
-    /// Tool call.
-    Tool(ToolCall),
-    /// SELECT/TOOL: number of the next tool.
-    Preselect(u32),
-    /// SPINDL.
-    Spindle(Spindle),
-    /// COOLNT.
-    Coolant(Coolant),
-    /// CUTCOM.
-    Compensation(Compensation),
-    /// FROM: point and tool axis at the start; nothing moves.
-    From(Pose),
+    /// A motion of the tool.
+    Motion(ToolMotion<'a>),
+    /// The path ends, and starts anew with the next motion.
+    NewStart(NewStart<'a>),
+    /// The path is interrupted: a cut goes on from where it was.
+    Interruption(Interruption<'a>),
+    /// A function of the machine for the motions around it.
+    Function(MachineFunction),
+    /// A point or a plane for the motions after it; nothing moves.
+    Reference(ReferenceGeometry),
+    /// A text, as written, that changes neither path nor state of the machine.
+    Text(TextKind, &'a [u8]),
+}
+
+/// A motion of the tool. Only these and [`ReferenceGeometry`] have points and directions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ToolMotion<'a> {
     /// GOTO.
     Move(Move),
     /// CIRCLE, MOVARC, TLON with the GOTO that ends it.
@@ -456,27 +453,49 @@ pub enum Event<'a> {
     Spline(Spline<'a>),
     /// A GOTO under a CYCLE.
     Hole(Hole),
+}
+
+/// Instruction at which the path ends. The next motion begins an operation, and cutter compensation must be off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NewStart<'a> {
+    /// TOOL PATH: begin of an operation, with its name as written.
+    Operation(&'a [u8]),
+    /// Tool call.
+    Tool(ToolCall),
+    /// The set-up of this number begins, counted from 1: the part is clamped again, with its own origin, rotation and work
+    /// offset. Begins like an operation.
+    SetUp(u32),
+    /// The next motion begins with the safe sequence.
+    SafeSequence,
     /// GOHOME without a point.
     Home,
-    /// CLEARP.
-    ClearancePlane(ClearancePlane),
-    /// LINTOL: tolerance of the following motions, mm; `None`: as configured.
-    Tolerance(Option<f64>),
-    /// ROTABL/SHORT, ROTABL/NEXT.
-    RotaryDirection(RotaryDirection),
-    /// DELAY.
-    Delay(Dwell),
-    /// OPSTOP.
-    OptionalStop,
+}
+
+impl NewStart<'_> {
+    /// A sentence of a message: what happens.
+    pub(crate) const fn sentence(self) -> &'static str {
+        match self {
+            Self::Operation(_) | Self::SafeSequence => "another operation begins",
+            Self::Tool(_) => "a tool is called",
+            Self::SetUp(_) => "another frame follows",
+            Self::Home => "GOHOME follows",
+        }
+    }
+}
+
+/// Instruction after which the position of the machine, or its state, is unknown. The next motion begins an operation, and
+/// cutter compensation must be off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Interruption<'a> {
     /// STOP.
     Stop,
+    /// OPSTOP.
+    OptionalStop,
     /// OPSKIP: the blocks after this one may be skipped at the control, or no longer. Each is between two operations.
     BlockSkip {
         /// ON.
         on: bool,
     },
-    /// PPRINT: text for the operator.
-    Message(&'a [u8]),
     /// INSERT, and a statement of the shop: block of NC text, as written.
     Insert(&'a [u8]),
     /// A statement at which a probe measures from where the tool is: blocks, one or more.
@@ -488,4 +507,55 @@ pub enum Event<'a> {
         /// Number after the letter.
         number: u32,
     },
+}
+
+impl Interruption<'_> {
+    /// A sentence of a message: what happens.
+    pub(crate) const fn sentence(self) -> &'static str {
+        match self {
+            Self::Stop | Self::OptionalStop => "the program stops",
+            Self::BlockSkip { .. } => "OPSKIP follows",
+            Self::Insert(_) | Self::Code { .. } => "NC text of the CL data follows",
+            Self::Probe(_) => "a probe measures",
+        }
+    }
+}
+
+/// Function of the machine or of its control. The path goes on after it, also with cutter compensation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MachineFunction {
+    /// SPINDL.
+    Spindle(Spindle),
+    /// COOLNT.
+    Coolant(Coolant),
+    /// CUTCOM.
+    Compensation(Compensation),
+    /// LINTOL: tolerance of the following motions, mm; `None`: as configured.
+    Tolerance(Option<f64>),
+    /// ROTABL/SHORT, ROTABL/NEXT.
+    RotaryDirection(RotaryDirection),
+    /// DELAY.
+    Delay(Dwell),
+    /// SELECT/TOOL: number of the next tool.
+    Preselect(u32),
+}
+
+/// Point or plane in the workpiece frame that is not on the path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ReferenceGeometry {
+    /// FROM: point and tool axis at the start.
+    From(Pose),
+    /// CLEARP.
+    ClearancePlane(ClearancePlane),
+}
+
+/// Kind of a text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TextKind {
+    /// PARTNO: name of the program.
+    Name,
+    /// MACHIN: name of the machine that the CL data was made for.
+    MachineName,
+    /// PPRINT: text for the operator.
+    Message,
 }

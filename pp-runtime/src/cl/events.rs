@@ -15,7 +15,7 @@ use super::reader::{ClReader, ReadSeek};
 use super::text::Span;
 use crate::diag::Diagnostic;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
-use crate::program::{Event, Feed, Location, Spline, Units};
+use crate::program::{Event, Feed, Location, NewStart, Spline, Units};
 
 /// Largest number of events of a batch.
 const EVENTS: usize = 256;
@@ -73,7 +73,8 @@ impl FileFacts {
 }
 
 /// What is at a place without an event.
-pub(super) const NO_EVENT: (Location, QueuedEvent) = (Location { line: 0, column: 0 }, QueuedEvent::Plain(Event::Home));
+pub(super) const NO_EVENT: (Location, QueuedEvent) =
+    (Location { line: 0, column: 0 }, QueuedEvent::Plain(Event::NewStart(NewStart::Home)));
 
 /// Whether a batch takes another event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

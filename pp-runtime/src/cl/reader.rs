@@ -15,7 +15,7 @@ use super::text::{
     Beginning, ClFault, LONGEST_STATEMENT, Lexer, NumberLine, PhysicalLine, Span, Statement, StatementKind,
 };
 use crate::diag::{Diagnostic, Severity};
-use crate::program::{Arc, Event, Location, Move, Units};
+use crate::program::{Arc, Event, Location, Move, ToolMotion, Units};
 use crate::shortcut::Shortcut;
 
 /// CL text that can be read more than once: a file, or bytes in memory.
@@ -148,7 +148,7 @@ impl<R: Read> ClReader<R> {
         let mut taken = 0;
         for place in places {
             let NextMotion::Motion(here, motion) = self.take_straight() else { break };
-            *place = (here, QueuedEvent::Plain(Event::Move(motion)));
+            *place = (here, QueuedEvent::Plain(Event::Motion(ToolMotion::Move(motion))));
             taken += 1;
         }
         if taken > 0 {
@@ -167,7 +167,7 @@ impl<R: Read> ClReader<R> {
     fn next_unless_straight(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
         match self.take_arc_or_hole() {
             NextMotion::Motion(here, arc) => {
-                *place = (here, QueuedEvent::Plain(Event::Arc(arc)));
+                *place = (here, QueuedEvent::Plain(Event::Motion(ToolMotion::Arc(arc))));
                 Ok(true)
             }
             NextMotion::Taken => self.next_of_any_kind(false, place),
@@ -296,13 +296,13 @@ impl<R: Read> ClReader<R> {
                 Progress::Reading if no_line || !self.takes_lines() => self.read_next()?,
                 Progress::Reading => match self.take_straight_after_other() {
                     NextMotion::Motion(here, motion) => {
-                        *place = (here, QueuedEvent::Plain(Event::Move(motion)));
+                        *place = (here, QueuedEvent::Plain(Event::Motion(ToolMotion::Move(motion))));
                         return Ok(true);
                     }
                     NextMotion::Taken => {}
                     NextMotion::None => match self.take_arc_or_hole_after_other() {
                         NextMotion::Motion(here, arc) => {
-                            *place = (here, QueuedEvent::Plain(Event::Arc(arc)));
+                            *place = (here, QueuedEvent::Plain(Event::Motion(ToolMotion::Arc(arc))));
                             return Ok(true);
                         }
                         NextMotion::Taken => {}

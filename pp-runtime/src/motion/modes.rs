@@ -21,7 +21,7 @@ use crate::motion::options::{Mode, Policy, StretchMode};
 use crate::motion::place::UsableModes;
 use crate::motion::source::{Begins, ItemAction, MotionIndex, ProgramItem};
 use crate::motion::tolerances::HELD_AXIS;
-use crate::program::{CutterSide, Event};
+use crate::program::{CutterSide, Event, MachineFunction};
 
 /// The mode of each stretch of a program, in its order.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -292,7 +292,7 @@ impl ModeFinder {
             ItemAction::Operation(start) => {
                 self.mode_ahead = start.chosen.mode.map_or(self.usual, |mode| mode.value);
             }
-            ItemAction::Record { event: Event::Compensation(compensation), between } => {
+            ItemAction::Record { event: Event::Function(MachineFunction::Compensation(compensation)), between } => {
                 let on = compensation.side != CutterSide::Off;
                 self.operation.needs_plane |= on && !between;
                 self.compensation_ahead |= on && between;

@@ -16,8 +16,8 @@ use crate::motion::{DiscardSteps, MovingAxes, Navigator, Planner, PlanningError,
 use crate::motion::{Rapid, Transition, Wrap};
 use crate::program::Units;
 use crate::program::{
-    ClearancePlane, Compensation, Coolant, CutterSide, Dwell, Event, Feed, Location, Move, Pressure, RotaryDirection,
-    Rotation, Spindle, ToolCall,
+    ClearancePlane, Compensation, Coolant, CutterSide, Dwell, Event, Feed, Interruption, Location, MachineFunction,
+    Move, NewStart, Pressure, ReferenceGeometry, RotaryDirection, Rotation, Spindle, TextKind, ToolCall, ToolMotion,
 };
 use crate::set_up::GivenTool;
 
@@ -126,19 +126,22 @@ fn cb(c: f64, b: f64) -> [f64; 3] {
 }
 
 pub(super) fn rapid(tip: [f64; 3], axis: [f64; 3]) -> Event<'static> {
-    Event::Move(Move { pose: pose(tip, axis), rapid: true, feed: None })
+    Event::Motion(ToolMotion::Move(Move { pose: pose(tip, axis), rapid: true, feed: None }))
 }
 
 pub(super) fn feed(tip: [f64; 3], axis: [f64; 3]) -> Event<'static> {
-    Event::Move(Move { pose: pose(tip, axis), rapid: false, feed: Some(Feed::PerMinute(500.0)) })
+    Event::Motion(ToolMotion::Move(Move { pose: pose(tip, axis), rapid: false, feed: Some(Feed::PerMinute(500.0)) }))
 }
 
 pub(super) fn tool(number: u32) -> Event<'static> {
-    Event::Tool(ToolCall { number, ..ToolCall::default() })
+    Event::NewStart(NewStart::Tool(ToolCall { number, ..ToolCall::default() }))
 }
 
 pub(super) fn spindle() -> Event<'static> {
-    Event::Spindle(Spindle::On { speed_rev_per_min: Some(8000.0), rotation: Some(Rotation::Clockwise) })
+    Event::Function(MachineFunction::Spindle(Spindle::On {
+        speed_rev_per_min: Some(8000.0),
+        rotation: Some(Rotation::Clockwise),
+    }))
 }
 
 pub(super) fn config() -> Config {

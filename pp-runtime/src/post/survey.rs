@@ -18,7 +18,7 @@ use crate::motion::{
     Begins, Course, ItemAction, ModeFinder, MotionIndex, Navigator, OperationSettings, OperationStart, Operations,
     Policy, ProgramItem, Source, Stage, StretchModes, extent, hole_extent,
 };
-use crate::program::{CutterSide, Event, Location, Spindle, ToolCall};
+use crate::program::{CutterSide, Event, Location, MachineFunction, NewStart, Spindle, TextKind, ToolCall};
 use crate::set_up::FurtherSetUp;
 
 use super::operations::{OperationNames, OperationSelection};
@@ -293,44 +293,28 @@ impl Surveyor {
 
     fn record(&mut self, at: Location, event: &Event<'_>) {
         match *event {
-            Event::Name(name) => {
+            Event::Text(TextKind::Name, name) => {
                 if self.survey.name.is_empty() {
                     self.survey.name = name.to_vec();
                 }
             }
-            Event::Operation(name) => self.selection.name(name),
-            Event::Tool(call) => self.call_tool(at, call),
-            Event::Spindle(Spindle::On { .. }) => self.spindle = true,
-            Event::SetUp(number) => {
+            Event::NewStart(NewStart::Operation(name)) => self.selection.name(name),
+            Event::NewStart(NewStart::Tool(call)) => self.call_tool(at, call),
+            Event::Function(MachineFunction::Spindle(Spindle::On { .. })) => self.spindle = true,
+            Event::NewStart(NewStart::SetUp(number)) => {
                 self.first_set_up = number == 1;
                 self.survey.set_ups.insert(number);
             }
-            Event::Compensation(asked) => {
+            Event::Function(MachineFunction::Compensation(asked)) => {
                 self.compensates = asked.side != CutterSide::Off;
                 self.note_compensation();
             }
-            Event::Spindle(Spindle::Off)
-            | Event::MachineName(_)
-            | Event::SafeSequence
-            | Event::Preselect(_)
-            | Event::Coolant(_)
-            | Event::From(_)
-            | Event::Move(_)
-            | Event::Arc(_)
-            | Event::Spline(_)
-            | Event::Hole(_)
-            | Event::Home
-            | Event::ClearancePlane(_)
-            | Event::Tolerance(_)
-            | Event::RotaryDirection(_)
-            | Event::Delay(_)
-            | Event::OptionalStop
-            | Event::BlockSkip { .. }
-            | Event::Stop
-            | Event::Message(_)
-            | Event::Insert(_)
-            | Event::Probe(_)
-            | Event::Code { .. } => {}
+            Event::Motion(_)
+            | Event::NewStart(_)
+            | Event::Interruption(_)
+            | Event::Function(_)
+            | Event::Reference(_)
+            | Event::Text(..) => {}
         }
     }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Read};
 
 use crate::cl::{ClReader, ReadingOptions};
-use crate::program::{Drilling, Event, ToolCall};
+use crate::program::{Drilling, Event, NewStart, ToolCall, ToolMotion};
 
 /// Tools by number, and operations by the record of their first motion.
 #[derive(Debug, Default)]
@@ -38,8 +38,10 @@ impl ClFacts {
         let (mut facts, mut name, mut tool) = (Self::default(), None, None);
         while let Some((at, event)) = reader.next_event()? {
             match event {
-                Event::Operation(bytes) => name = Some(String::from_utf8_lossy(bytes).trim().to_owned()),
-                Event::Tool(call) => {
+                Event::NewStart(NewStart::Operation(bytes)) => {
+                    name = Some(String::from_utf8_lossy(bytes).trim().to_owned())
+                }
+                Event::NewStart(NewStart::Tool(call)) => {
                     let known = &mut facts.tools.entry(call.number).or_default().call;
                     *known = ToolCall {
                         number: call.number,
@@ -50,20 +52,24 @@ impl ClFacts {
                     };
                     tool = Some(call.number);
                 }
-                Event::Move(_) | Event::Arc(_) | Event::Spline(_) | Event::Hole(_) => {
+                Event::Motion(motion) => {
                     facts.operations.extend(name.take().map(|name| (at.line, name)));
                     if let Some(tool) = tool.and_then(|tool| facts.tools.get_mut(&tool)) {
-                        tool.drills |= matches!(event, Event::Hole(_));
-                        tool.taps |=
-                            matches!(event, Event::Hole(hole) if matches!(hole.drilling, Drilling::Tap { .. }));
-                        tool.mills |= match event {
-                            Event::Move(motion) => !motion.rapid,
-                            Event::Arc(_) | Event::Spline(_) => true,
-                            _ => false,
-                        };
+                        match motion {
+                            ToolMotion::Move(motion) => tool.mills |= !motion.rapid,
+                            ToolMotion::Arc(_) | ToolMotion::Spline(_) => tool.mills = true,
+                            ToolMotion::Hole(hole) => {
+                                tool.drills = true;
+                                tool.taps |= matches!(hole.drilling, Drilling::Tap { .. });
+                            }
+                        }
                     }
                 }
-                _ => {}
+                Event::NewStart(_)
+                | Event::Interruption(_)
+                | Event::Function(_)
+                | Event::Reference(_)
+                | Event::Text(..) => {}
             }
         }
         #[cfg(feature = "simulate")]

@@ -5,7 +5,7 @@ use libfuzzer_sys::fuzz_target;
 use pp_runtime::set_up::ClPoint;
 use pp_runtime::cl::record::ClCycleKind;
 use pp_runtime::cl::{ClReader, CycleArg, Dialect, FeedLabel, Frames, Insert, ReadingOptions, Sense, ToolArg};
-use pp_runtime::program::{Event, Units};
+use pp_runtime::program::{Event, ToolMotion, Units};
 
 /// No dialect, and every dialect.
 fn dialects() -> impl Iterator<Item = Option<Dialect>> {
@@ -51,11 +51,11 @@ fuzz_target!(|data: &[u8]| {
     let mut reader = ClReader::new(text, options(*choice));
     while let Some((place, event)) = reader.next_event().expect("memory is readable") {
         assert!(place.line >= 1 && place.column >= 1);
-        if let Event::Move(motion) = event {
+        if let Event::Motion(ToolMotion::Move(motion)) = event {
             assert!(motion.pose.tip.iter().all(|value| value.is_finite()));
             assert!((motion.pose.axis.norm() - 1.0).abs() < 1e-9);
         }
-        if let Event::Arc(arc) = event {
+        if let Event::Motion(ToolMotion::Arc(arc)) = event {
             assert!(arc.angle_rad.is_finite() && arc.angle_rad > 0.0);
         }
     }

@@ -7,7 +7,7 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::config::Config;
 use pp_runtime::kinematics::{AxisKind, Branch, Limits, Machine, Pose};
 use pp_runtime::motion::{Cost, Navigator, Source};
-use pp_runtime::program::{Event, Feed, Location, Move, ToolCall};
+use pp_runtime::program::{Event, Feed, Location, Move, NewStart, ToolCall, ToolMotion};
 use tests::random::Random;
 
 use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
@@ -135,7 +135,7 @@ fn compare<M: Machine>(seed: u64, paths: usize) -> (usize, usize) {
         let mut navigator = Navigator::new(Box::new(machine.clone()), config.policy());
         let mut source = Source::new(&M::default(), config.policy());
         let mut follow = |event| source.event(Location::default(), &event, &mut navigator).expect("nothing is refused");
-        follow(Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
+        follow(Event::NewStart(NewStart::Tool(ToolCall { number: 1, ..ToolCall::default() })));
 
         // The axis rotates in one sense, so that limits are reached.
         let sense = random.sign();
@@ -146,7 +146,7 @@ fn compare<M: Machine>(seed: u64, paths: usize) -> (usize, usize) {
             let axis = Vector3::new(up.sin() * around.cos(), up.sin() * around.sin(), up.cos());
             let pose = Pose { tip: Point3::origin(), axis: UnitVector3::new_normalize(axis) };
             let rapid = point > 0 && random.chance(0.15);
-            follow(Event::Move(Move { pose, rapid, feed: Some(Feed::PerMinute(100.0)) }));
+            follow(Event::Motion(ToolMotion::Move(Move { pose, rapid, feed: Some(Feed::PerMinute(100.0)) })));
             layers.push((states(&machine, rotaries, &rotary_limits, &pose), point == 0 || rapid));
             azimuth += sense * random.between(-15.0, 75.0);
             tilt = (tilt + random.between(-12.0, 12.0)).clamp(15.0, 80.0);

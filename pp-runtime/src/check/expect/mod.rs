@@ -260,7 +260,7 @@ pub(super) fn units_of(data: &mut dyn ClData, options: &ReadingOptions) -> io::R
     let mut moved = false;
     while !moved && reader.units().is_none() {
         match reader.next_event()? {
-            Some((_, event)) => moved = matches!(event, Event::Move(_) | Event::Arc(_) | Event::Hole(_)),
+            Some((_, event)) => moved = matches!(event, Event::Motion(_)),
             None => break,
         }
     }

@@ -14,8 +14,9 @@ use crate::check::tolerances::{IN_CUTTER_PLANE, SAME_POSE};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
 use crate::program::{
-    Arc, Clearance, Compensation, Coolant, Coolants, CutterSide, Drilling, Dwell, Event, Feed, Hole, Location, Move,
-    Pressure, Rotation, Spindle, Spline, ToolCall,
+    Arc, Clearance, Compensation, Coolant, Coolants, CutterSide, Drilling, Dwell, Event, Feed, Hole, Interruption,
+    Location, MachineFunction, Move, NewStart, Pressure, ReferenceGeometry, Rotation, Spindle, Spline, TextKind,
+    ToolCall, ToolMotion,
 };
 
 /// Modal state of the CL data.
@@ -203,53 +204,71 @@ impl<'a> ClState<'a> {
     }
 
     pub(super) fn event(&mut self, at: Location, event: &Event<'_>) {
-        self.process_due |= !matches!(event, Event::Move(_) | Event::Arc(_));
+        self.process_due |= !matches!(event, Event::Motion(ToolMotion::Move(_) | ToolMotion::Arc(_)));
         match *event {
-            Event::Move(motion) => self.line(at, &motion),
-            Event::Arc(arc) => self.arc(at, &arc),
-            Event::Spline(spline) => self.spline(at, &spline),
-            Event::Hole(hole) => self.hole(at, &hole),
-            Event::Operation(name) => self.begin_operation(at, name),
-            Event::Tool(call) => self.tool(Some(at), &call),
-            Event::Spindle(spindle) => self.request_spindle(spindle),
-            Event::Coolant(coolant) => self.coolant = coolant,
-            Event::Compensation(compensation) => self.compensate(compensation),
-            Event::ClearancePlane(plane) => self.require().clearance = Some(Clearance::Plane(plane)),
-            Event::Delay(dwell) => self.delay(at, dwell),
-            Event::Message(text) => self.message(at, text, false),
-            Event::Stop => self.interrupt(at, ExpectedAction::Stop { optional: false }),
-            Event::OptionalStop => self.interrupt(at, ExpectedAction::Stop { optional: true }),
-            Event::BlockSkip { on } => self.block_skip(at, on),
-            Event::Home => {
+            Event::Motion(ToolMotion::Move(motion)) => self.line(at, &motion),
+            Event::Motion(ToolMotion::Arc(arc)) => self.arc(at, &arc),
+            Event::Motion(ToolMotion::Spline(spline)) => self.spline(at, &spline),
+            Event::Motion(ToolMotion::Hole(hole)) => self.hole(at, &hole),
+            Event::NewStart(start) => self.new_start(at, start),
+            Event::Interruption(interruption) => self.interruption(at, interruption),
+            Event::Function(function) => self.function(at, function),
+            Event::Reference(ReferenceGeometry::ClearancePlane(plane)) => {
+                self.require().clearance = Some(Clearance::Plane(plane));
+            }
+            Event::Text(TextKind::Message, text) => self.message(at, text, false),
+            // Nothing in a program follows from these.
+            Event::Reference(ReferenceGeometry::From(_)) | Event::Text(TextKind::Name | TextKind::MachineName, _) => {}
+        }
+    }
+
+    fn new_start(&mut self, at: Location, start: NewStart<'_>) {
+        match start {
+            NewStart::Operation(name) => self.begin_operation(at, name),
+            NewStart::Tool(call) => self.tool(Some(at), &call),
+            NewStart::SetUp(number) => {
+                self.begin_elsewhere();
+                self.require().set_up = number;
+                self.require().clearance = self.policy.links.clearance;
+            }
+            NewStart::SafeSequence => self.begin_elsewhere(),
+            NewStart::Home => {
                 self.goes_on = false;
                 self.interrupt(at, ExpectedAction::Home);
             }
-            Event::Insert(text) => self.interrupt(at, ExpectedAction::Raw(text.to_vec())),
-            Event::Probe(blocks) => {
+        }
+    }
+
+    fn interruption(&mut self, at: Location, interruption: Interruption<'_>) {
+        match interruption {
+            Interruption::Stop => self.interrupt(at, ExpectedAction::Stop { optional: false }),
+            Interruption::OptionalStop => self.interrupt(at, ExpectedAction::Stop { optional: true }),
+            Interruption::BlockSkip { on } => self.block_skip(at, on),
+            Interruption::Insert(text) => self.interrupt(at, ExpectedAction::Raw(text.to_vec())),
+            Interruption::Probe(blocks) => {
                 for (index, block) in blocks.iter().enumerate() {
                     let text = block.as_bytes().to_vec();
                     self.interrupt(at, ExpectedAction::Probe { text, first: index == 0 });
                 }
             }
-            Event::Code { letter, number } => {
+            Interruption::Code { letter, number } => {
                 self.interrupt(at, ExpectedAction::Raw(format!("{}{number}", char::from(letter)).into_bytes()));
             }
-            Event::SafeSequence => self.begin_elsewhere(),
-            Event::SetUp(number) => {
-                self.begin_elsewhere();
-                self.require().set_up = number;
-                self.require().clearance = self.policy.links.clearance;
-            }
-            Event::Tolerance(stated) => {
+        }
+    }
+
+    fn function(&mut self, at: Location, function: MachineFunction) {
+        match function {
+            MachineFunction::Spindle(spindle) => self.request_spindle(spindle),
+            MachineFunction::Coolant(coolant) => self.coolant = coolant,
+            MachineFunction::Compensation(compensation) => self.compensate(compensation),
+            MachineFunction::Tolerance(stated) => {
                 self.stated_mm = stated;
                 self.take_tolerance();
             }
+            MachineFunction::Delay(dwell) => self.delay(at, dwell),
             // Nothing in a program follows from these.
-            Event::From(_)
-            | Event::Name(_)
-            | Event::MachineName(_)
-            | Event::Preselect(_)
-            | Event::RotaryDirection(_) => {}
+            MachineFunction::RotaryDirection(_) | MachineFunction::Preselect(_) => {}
         }
     }
 

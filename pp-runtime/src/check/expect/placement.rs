@@ -6,7 +6,7 @@
 use nalgebra::{Matrix3, Point3, UnitVector3};
 
 use crate::kinematics::Pose;
-use crate::program::{Arc, ClearancePlane, Event, Hole, Move, Spline};
+use crate::program::{Arc, ClearancePlane, Event, Hole, Move, NewStart, ReferenceGeometry, Spline, ToolMotion};
 
 /// Rotation and lift of the CL data.
 #[derive(Debug)]
@@ -37,7 +37,7 @@ impl Placement {
 
     /// The event in the frame of the part as it is mounted; `None` if nothing changes.
     pub(super) fn of<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {
-        if let Event::SetUp(number) = event
+        if let Event::NewStart(NewStart::SetUp(number)) = event
             && let Some((_, rotation)) = self.set_ups.iter().find(|(set_up, _)| set_up == number)
         {
             let moves = *rotation != Matrix3::identity() || self.lifted;
@@ -45,45 +45,30 @@ impl Placement {
         }
         let place = Place { rotation: self.rotation?, lift_mm: self.lift_mm };
         Some(match event {
-            Event::Move(motion) => Event::Move(Move { pose: place.pose(&motion.pose), ..*motion }),
-            Event::From(pose) => Event::From(place.pose(pose)),
-            Event::Arc(arc) => Event::Arc(Arc {
-                start: place.pose(&arc.start),
-                end: place.pose(&arc.end),
-                centre: place.point(&arc.centre, &arc.start.axis),
-                normal: place.direction(&arc.normal),
-                ..*arc
+            Event::Motion(motion) => Event::Motion(match motion {
+                ToolMotion::Move(motion) => ToolMotion::Move(Move { pose: place.pose(&motion.pose), ..*motion }),
+                ToolMotion::Arc(arc) => ToolMotion::Arc(Arc {
+                    start: place.pose(&arc.start),
+                    end: place.pose(&arc.end),
+                    centre: place.point(&arc.centre, &arc.start.axis),
+                    normal: place.direction(&arc.normal),
+                    ..*arc
+                }),
+                ToolMotion::Spline(curve) => {
+                    self.points.clear();
+                    self.points.extend(curve.points.iter().map(|point| place.point(point, &curve.axis)));
+                    ToolMotion::Spline(Spline { points: &self.points, axis: place.direction(&curve.axis), ..*curve })
+                }
+                ToolMotion::Hole(hole) => ToolMotion::Hole(Hole { top: place.pose(&hole.top), ..*hole }),
             }),
-            Event::Spline(curve) => {
-                self.points.clear();
-                self.points.extend(curve.points.iter().map(|point| place.point(point, &curve.axis)));
-                Event::Spline(Spline { points: &self.points, axis: place.direction(&curve.axis), ..*curve })
-            }
-            Event::Hole(hole) => Event::Hole(Hole { top: place.pose(&hole.top), ..*hole }),
-            Event::ClearancePlane(plane) => {
-                Event::ClearancePlane(ClearancePlane { normal: place.direction(&plane.normal), ..*plane })
-            }
-            Event::Name(_)
-            | Event::MachineName(_)
-            | Event::Operation(_)
-            | Event::SafeSequence
-            | Event::SetUp(_)
-            | Event::Tool(_)
-            | Event::Preselect(_)
-            | Event::Spindle(_)
-            | Event::Coolant(_)
-            | Event::Compensation(_)
-            | Event::Home
-            | Event::Tolerance(_)
-            | Event::RotaryDirection(_)
-            | Event::Delay(_)
-            | Event::OptionalStop
-            | Event::BlockSkip { .. }
-            | Event::Stop
-            | Event::Message(_)
-            | Event::Insert(_)
-            | Event::Probe(_)
-            | Event::Code { .. } => return None,
+            Event::Reference(geometry) => Event::Reference(match geometry {
+                ReferenceGeometry::From(pose) => ReferenceGeometry::From(place.pose(pose)),
+                ReferenceGeometry::ClearancePlane(plane) => ReferenceGeometry::ClearancePlane(ClearancePlane {
+                    normal: place.direction(&plane.normal),
+                    ..*plane
+                }),
+            }),
+            Event::NewStart(_) | Event::Interruption(_) | Event::Function(_) | Event::Text(..) => return None,
         })
     }
 }
@@ -122,15 +107,19 @@ mod tests {
         let mut placement = Placement::new(vec![(1, quarter)], Some(10.0));
         let pose = Pose { tip: Point3::new(1.0, 2.0, 3.0), axis: Vector3::x_axis() };
         let placed = Pose { tip: Point3::new(-2.0, 11.0, 3.0), axis: Vector3::y_axis() };
-        assert_eq!(placement.of(&Event::From(pose)), Some(Event::From(placed)));
-        let plane = |normal| Event::ClearancePlane(ClearancePlane { normal, distance_mm: 7.0 });
+        assert_eq!(
+            placement.of(&Event::Reference(ReferenceGeometry::From(pose))),
+            Some(Event::Reference(ReferenceGeometry::From(placed)))
+        );
+        let plane =
+            |normal| Event::Reference(ReferenceGeometry::ClearancePlane(ClearancePlane { normal, distance_mm: 7.0 }));
         assert_eq!(placement.of(&plane(Vector3::x_axis())), Some(plane(Vector3::y_axis())));
-        assert_eq!(placement.of(&Event::Home), None);
+        assert_eq!(placement.of(&Event::NewStart(NewStart::Home)), None);
     }
 
     #[test]
     fn without_rotation_and_lift_the_cl_data_stays_as_it_is() {
         let pose = Pose { tip: Point3::new(1.0, 2.0, 3.0), axis: Vector3::x_axis() };
-        assert_eq!(Placement::new(Vec::new(), None).of(&Event::From(pose)), None);
+        assert_eq!(Placement::new(Vec::new(), None).of(&Event::Reference(ReferenceGeometry::From(pose))), None);
     }
 }

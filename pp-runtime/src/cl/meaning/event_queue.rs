@@ -4,16 +4,14 @@ use std::collections::VecDeque;
 
 use super::options::ReadingOptions;
 use crate::cl::text::{ClFault, Span};
-use crate::program::{Event, Location, Spline};
+use crate::program::{Event, Interruption, Location, NewStart, Spline, TextKind, ToolMotion};
 
-/// Kind of event that a text becomes.
+/// Event that a text becomes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum TextUse {
-    Name,
-    MachineName,
     Operation,
-    Message,
     Insert,
+    Text(TextKind),
 }
 
 /// A queued event. Its text, if any, is still in the statement; a spline is in the interpreter.
@@ -34,18 +32,18 @@ impl QueuedEvent {
             Self::Text(used, at) => {
                 let text = &text[at.start..at.end];
                 match used {
-                    TextUse::Name => Event::Name(text),
-                    TextUse::MachineName => Event::MachineName(text),
-                    TextUse::Operation => Event::Operation(text),
-                    TextUse::Message => Event::Message(text),
-                    TextUse::Insert => Event::Insert(text),
+                    TextUse::Operation => Event::NewStart(NewStart::Operation(text)),
+                    TextUse::Insert => Event::Interruption(Interruption::Insert(text)),
+                    TextUse::Text(kind) => Event::Text(kind, text),
                 }
             }
-            Self::Own(index) => match options.given_meanings().own_at(index) {
-                Some(own) if own.probes() => Event::Probe(own.blocks()),
-                own => Event::Insert(own.and_then(|own| own.blocks().first()).map_or(b"", |block| block.as_bytes())),
-            },
-            Self::Spline => Event::Spline(curve),
+            Self::Own(index) => Event::Interruption(match options.given_meanings().own_at(index) {
+                Some(own) if own.probes() => Interruption::Probe(own.blocks()),
+                own => {
+                    Interruption::Insert(own.and_then(|own| own.blocks().first()).map_or(b"", |block| block.as_bytes()))
+                }
+            }),
+            Self::Spline => Event::Motion(ToolMotion::Spline(curve)),
         }
     }
 }

@@ -21,7 +21,7 @@ use super::votes::ArcVotes;
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{CircleRecord, CoordinateRecord, Point, ProgramRecord, Record, SubprogramRecord, Text};
 use crate::cl::text::{ClFault, Span};
-use crate::program::{Arc, Event, Feed, Location, Spline};
+use crate::program::{Arc, Event, Feed, Interruption, Location, NewStart, Spline, TextKind};
 
 /// CUTCOM/ON and the side that it needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -244,7 +244,7 @@ impl RecordInterpreter {
 
     fn emit_held_tool(&mut self) {
         if let Some((here, tool)) = self.tool.take_held() {
-            self.events.push(here, QueuedEvent::Plain(Event::Tool(tool)));
+            self.events.push(here, QueuedEvent::Plain(Event::NewStart(NewStart::Tool(tool))));
         }
     }
 
@@ -290,8 +290,8 @@ impl RecordInterpreter {
 
     fn take_program(&mut self, record: &ProgramRecord<'_>, here: Location) -> Result<(), ClFault> {
         match record {
-            ProgramRecord::PartName(text) => self.emit_text(here, TextUse::Name, text),
-            ProgramRecord::MachineName(text) => self.emit_text(here, TextUse::MachineName, text),
+            ProgramRecord::PartName(text) => self.emit_text(here, TextUse::Text(TextKind::Name), text),
+            ProgramRecord::MachineName(text) => self.emit_text(here, TextUse::Text(TextKind::MachineName), text),
             ProgramRecord::ToolPath(name) => {
                 self.begin_operation();
                 self.tool.end_operation();
@@ -300,12 +300,14 @@ impl RecordInterpreter {
                 }
                 self.emit_text(here, TextUse::Operation, name);
             }
-            ProgramRecord::Message(text) => self.emit_text(here, TextUse::Message, text),
+            ProgramRecord::Message(text) => self.emit_text(here, TextUse::Text(TextKind::Message), text),
             ProgramRecord::Insert(text) => return self.insert(text, here),
             ProgramRecord::Code { letter, number, at } => return self.code(*letter, *number, *at, here),
-            ProgramRecord::OptionalStop => self.emit(here, Event::OptionalStop),
-            ProgramRecord::Stop => self.emit(here, Event::Stop),
-            ProgramRecord::BlockSkip { on } => self.emit(here, Event::BlockSkip { on: *on }),
+            ProgramRecord::OptionalStop => self.emit(here, Event::Interruption(Interruption::OptionalStop)),
+            ProgramRecord::Stop => self.emit(here, Event::Interruption(Interruption::Stop)),
+            ProgramRecord::BlockSkip { on } => {
+                self.emit(here, Event::Interruption(Interruption::BlockSkip { on: *on }))
+            }
             ProgramRecord::EndOfPath | ProgramRecord::End | ProgramRecord::Fini | ProgramRecord::Rewind => {}
         }
         Ok(())
@@ -325,8 +327,8 @@ impl RecordInterpreter {
             && text.bytes[..4].eq_ignore_ascii_case(b"STOP")
             && text.bytes.get(4).is_none_or(|byte| !byte.is_ascii_alphanumeric());
         if stop && self.options.insert_stop {
-            self.emit(here, Event::Stop);
-            self.emit_text(here, TextUse::Message, text);
+            self.emit(here, Event::Interruption(Interruption::Stop));
+            self.emit_text(here, TextUse::Text(TextKind::Message), text);
             return Ok(());
         }
         if stop && self.options.insert != Insert::Refuse {
@@ -338,7 +340,7 @@ impl RecordInterpreter {
             ));
         }
         match self.options.insert {
-            Insert::Comment => self.emit_text(here, TextUse::Message, text),
+            Insert::Comment => self.emit_text(here, TextUse::Text(TextKind::Message), text),
             Insert::Write => {
                 self.path.forget_position();
                 self.emit_text(here, TextUse::Insert, text);
@@ -373,7 +375,7 @@ impl RecordInterpreter {
             ));
         }
         self.path.forget_position();
-        self.emit(here, Event::Code { letter, number });
+        self.emit(here, Event::Interruption(Interruption::Code { letter, number }));
         Ok(())
     }
 }

@@ -41,7 +41,7 @@ fn the_centre_of_an_arc_has_no_signed_zeros() {
         let mut reader = ClReader::new(text.as_bytes(), options);
         let centre = loop {
             match reader.next_event().unwrap() {
-                Some((_, Event::Arc(arc))) => break arc.centre,
+                Some((_, Event::Motion(ToolMotion::Arc(arc)))) => break arc.centre,
                 other => assert!(other.is_some(), "no arc"),
             }
         };
@@ -98,7 +98,7 @@ fn a_milled_thread_has_its_pitch_and_its_hand() {
         let text = format!("GOTO/5,0,0\nCIRCLE/0,0,{end},0,0,{axis},5,.06,.5,8,0,TIMES,3\nGOTO/0,5,{end}\n");
         let mut reader = ClReader::new(text.as_bytes(), mm());
         reader.next_event().unwrap();
-        let Some((_, Event::Arc(arc))) = reader.next_event().unwrap() else { panic!("an arc") };
+        let Some((_, Event::Motion(ToolMotion::Arc(arc)))) = reader.next_event().unwrap() else { panic!("an arc") };
         let turns = arc.angle_rad / std::f64::consts::TAU;
         let lead = (arc.end.tip.z - arc.start.tip.z) / turns * arc.normal.z;
         ((turns * 4.0).round(), (lead * 1e9).round() / 1e9)

@@ -403,7 +403,7 @@ proptest! {
         let mut motions = 0;
         while let Some((place, event)) = reader.next_event().unwrap() {
             prop_assert!(place.line >= 1 && place.column >= 1);
-            motions += u32::from(matches!(event, Event::Move(_) | Event::Hole(_) | Event::Arc(_)));
+            motions += u32::from(matches!(event, Event::Motion(ToolMotion::Move(_) | ToolMotion::Hole(_) | ToolMotion::Arc(_))));
         }
         prop_assert!(reader.failed() || motions > 0);
         prop_assert_eq!(reader.failed(), reader.diagnostics().iter().any(|found| found.severity == Severity::Error));

@@ -286,7 +286,7 @@ fn every_length_of_an_inch_file_is_in_inches() {
     let text = format!("UNITS/INCH\n{tracut}GOTO/0,0,0\nNURBS/\nKNOT/1\nCNTRL/1,0,0\nCNTRL/2,0,0\nCNTRL/3,0,0\n");
     let mut reader = ClReader::new(text.as_bytes(), ReadingOptions::default());
     reader.next_event().unwrap();
-    let Some((_, Event::Spline(spline))) = reader.next_event().unwrap() else { panic!("a curve") };
+    let Some((_, Event::Motion(ToolMotion::Spline(spline)))) = reader.next_event().unwrap() else { panic!("a curve") };
     let x: Vec<f64> = spline.points.iter().map(|point| (point.x * 10.0).round() / 10.0).collect();
     assert_eq!(x, [25.4, 50.8, 76.2, 101.6]);
 }

@@ -14,7 +14,7 @@ mod subprograms;
 
 use super::{ClReader, ReadingOptions};
 use crate::diag::{Diagnostic, Severity};
-use crate::program::{Event, Location, Units};
+use crate::program::{Event, Interruption, Location, NewStart, ReferenceGeometry, TextKind, ToolMotion, Units};
 use std::io::Read;
 
 const MM: Option<Units> = Some(Units::Millimetres);
@@ -38,15 +38,16 @@ fn read_from(input: impl Read, options: impl Into<ReadingOptions>) -> Outcome {
     let mut events = Vec::new();
     while let Some((Location { line, column }, event)) = reader.next_event().unwrap() {
         let event = match event {
-            Event::Move(motion) => {
+            Event::Motion(ToolMotion::Move(motion)) => {
                 let (tip, axis) = (motion.pose.tip, motion.pose.axis);
                 let kind = if motion.rapid { "rapid" } else { "feed" };
                 format!("{kind} {} {} {} axis {} {} {} {:?}", tip.x, tip.y, tip.z, axis.x, axis.y, axis.z, motion.feed)
             }
-            Event::From(pose) => format!("from {} {} {} axis {}", pose.tip.x, pose.tip.y, pose.tip.z, pose.axis.z),
-            Event::Name(text) => format!("name {}", String::from_utf8_lossy(text)),
-            Event::Operation(text) => format!("operation {}", String::from_utf8_lossy(text)),
-            Event::Arc(arc) => format!(
+            Event::Reference(ReferenceGeometry::From(pose)) => {
+                format!("from {} {} {} axis {}", pose.tip.x, pose.tip.y, pose.tip.z, pose.axis.z)
+            }
+            Event::NewStart(NewStart::Operation(text)) => format!("operation {}", String::from_utf8_lossy(text)),
+            Event::Motion(ToolMotion::Arc(arc)) => format!(
                 "arc to {} {} {} about {} {} {} through {:.3}",
                 arc.end.tip.x,
                 arc.end.tip.y,
@@ -56,8 +57,8 @@ fn read_from(input: impl Read, options: impl Into<ReadingOptions>) -> Outcome {
                 arc.normal.z,
                 arc.angle_rad.to_degrees()
             ),
-            Event::Spline(spline) => format!("spline {:?} {}", spline.knots, spline.points.len()),
-            Event::Hole(hole) => format!(
+            Event::Motion(ToolMotion::Spline(spline)) => format!("spline {:?} {}", spline.knots, spline.points.len()),
+            Event::Motion(ToolMotion::Hole(hole)) => format!(
                 "hole {} {} {} deep {} from {} to {} {:?} {:?} {:?}",
                 hole.top.tip.x,
                 hole.top.tip.y,
@@ -69,10 +70,19 @@ fn read_from(input: impl Read, options: impl Into<ReadingOptions>) -> Outcome {
                 hole.feed,
                 hole.dwell
             ),
-            Event::MachineName(text) => format!("machine {}", String::from_utf8_lossy(text)),
-            Event::Insert(text) => format!("insert {}", String::from_utf8_lossy(text)),
-            Event::Message(text) => format!("message {}", String::from_utf8_lossy(text)),
-            other => format!("{other:?}"),
+            Event::Interruption(Interruption::Insert(text)) => format!("insert {}", String::from_utf8_lossy(text)),
+            Event::NewStart(start) => format!("{start:?}"),
+            Event::Interruption(interruption) => format!("{interruption:?}"),
+            Event::Function(function) => format!("{function:?}"),
+            Event::Reference(geometry) => format!("{geometry:?}"),
+            Event::Text(kind, text) => {
+                let kind = match kind {
+                    TextKind::Name => "name",
+                    TextKind::MachineName => "machine",
+                    TextKind::Message => "message",
+                };
+                format!("{kind} {}", String::from_utf8_lossy(text))
+            }
         };
         events.push(format!("{line}:{column} {event}"));
     }

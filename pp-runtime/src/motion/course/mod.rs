@@ -30,7 +30,7 @@ use crate::kinematics::math::smaller;
 use crate::kinematics::{AnyMachine, Branch, Pose};
 use crate::motion::options::{Mode, Policy, Singular, StretchMode};
 use crate::program::Units;
-use crate::program::{Event, Location};
+use crate::program::{Event, Location, MachineFunction, NewStart, ReferenceGeometry};
 
 use crate::motion::fault::Fault;
 use crate::motion::geometry::PathSegment;
@@ -239,36 +239,20 @@ impl Navigator {
 
     fn record(&mut self, event: &Event<'_>) {
         match event {
-            Event::From(pose) => self.count_from(pose),
-            Event::Home => {
+            Event::Reference(ReferenceGeometry::From(pose)) => self.count_from(pose),
+            Event::NewStart(NewStart::Home) => {
                 self.end_run();
                 self.go_home();
             }
-            Event::RotaryDirection(turning) => self.sense = self.finder.placer().rotation_sense(*turning),
-            Event::Name(_)
-            | Event::MachineName(_)
-            | Event::Operation(_)
-            | Event::SafeSequence
-            | Event::SetUp(_)
-            | Event::Tool(_)
-            | Event::Preselect(_)
-            | Event::Spindle(_)
-            | Event::Coolant(_)
-            | Event::Compensation(_)
-            | Event::Move(_)
-            | Event::Arc(_)
-            | Event::Spline(_)
-            | Event::Hole(_)
-            | Event::ClearancePlane(_)
-            | Event::Tolerance(_)
-            | Event::Delay(_)
-            | Event::OptionalStop
-            | Event::BlockSkip { .. }
-            | Event::Stop
-            | Event::Message(_)
-            | Event::Insert(_)
-            | Event::Probe(_)
-            | Event::Code { .. } => {}
+            Event::Function(MachineFunction::RotaryDirection(turning)) => {
+                self.sense = self.finder.placer().rotation_sense(*turning)
+            }
+            Event::Motion(_)
+            | Event::NewStart(_)
+            | Event::Interruption(_)
+            | Event::Function(_)
+            | Event::Reference(_)
+            | Event::Text(..) => {}
         }
     }
 

@@ -10,7 +10,7 @@ use crate::kinematics::{Limits, Machine};
 use crate::motion::options::ToolPosture;
 use crate::motion::rotary::MAX_TURNS;
 use crate::motion::tests::hand_on;
-use crate::program::{Drilling, Feed, Hole, Move, RotaryDirection, Rotation, ToolCall};
+use crate::program::{Drilling, Feed, Hole, Move, RotaryDirection, Rotation, ToolCall, ToolMotion};
 
 fn limits(lower: f64, upper: f64) -> Option<Limits> {
     Some(Limits { lower: lower.to_radians(), upper: upper.to_radians() })
@@ -45,9 +45,11 @@ fn course_of<M: Machine>(config: &Config, events: &[Event<'_>]) -> Course {
 }
 
 fn course<M: Machine>(config: &Config, points: &[Point]) -> Course {
-    let mut events = vec![Event::Tool(ToolCall { number: 1, ..ToolCall::default() })];
+    let mut events = vec![Event::NewStart(NewStart::Tool(ToolCall { number: 1, ..ToolCall::default() }))];
     let feed = Some(Feed::PerMinute(100.0));
-    events.extend(points.iter().map(|point| Event::Move(Move { pose: point.pose, rapid: point.rapid, feed })));
+    events.extend(
+        points.iter().map(|point| Event::Motion(ToolMotion::Move(Move { pose: point.pose, rapid: point.rapid, feed }))),
+    );
     course_of::<M>(config, &events)
 }
 
@@ -56,11 +58,11 @@ fn after_gohome_the_course_continues_from_the_parked_angles() {
     let mut config = Config::default();
     config.set_up.limits.insert('C', limits(-190.0, 190.0));
     config.motion.park.insert('C', 0.0);
-    let mut events = vec![Event::Tool(ToolCall { number: 1, ..ToolCall::default() })];
+    let mut events = vec![Event::NewStart(NewStart::Tool(ToolCall { number: 1, ..ToolCall::default() }))];
     for event in [Some(170.0), None, Some(-172.0)] {
         let pose = |turn| Pose { tip: Point3::origin(), axis: axis(turn, 30.0) };
         let cut = |turn| Move { pose: pose(turn), rapid: false, feed: Some(Feed::PerMinute(100.0)) };
-        events.push(event.map_or(Event::Home, |turn| Event::Move(cut(turn))));
+        events.push(event.map_or(Event::NewStart(NewStart::Home), |turn| Event::Motion(ToolMotion::Move(cut(turn)))));
     }
     let course = course_of::<Cb>(&config, &events);
     // C to 170, home, to -172 and not to 188; B to 30 once.
@@ -618,7 +620,7 @@ proptest! {
             config.set_up.speeds.insert('C', 60.0);
             config.set_up.speeds.insert('B', 25.0);
         }
-        let mut events = vec![Event::Tool(ToolCall { number: 1, ..ToolCall::default() })];
+        let mut events = vec![Event::NewStart(NewStart::Tool(ToolCall { number: 1, ..ToolCall::default() }))];
         for (kind, next, turn) in steps {
             // Mostly along the pole.
             let axis = if kind < 3 { axis(turn, 30.0) } else { axis(0.0, 0.0) };
@@ -634,12 +636,12 @@ proptest! {
                 dwell: None,
             };
             events.push(match (kind, next) {
-                (3, 0) => Event::Home,
-                (4, 0) => Event::RotaryDirection(RotaryDirection::Towards(Rotation::Clockwise)),
-                (5, 0) => Event::Tool(ToolCall { number: 2, ..ToolCall::default() }),
-                (_, 0 | 1) => Event::Move(Move { pose, rapid: false, feed }),
-                (_, 2) => Event::Move(Move { pose, rapid: true, feed }),
-                _ => Event::Hole(hole),
+                (3, 0) => Event::NewStart(NewStart::Home),
+                (4, 0) => Event::Function(MachineFunction::RotaryDirection(RotaryDirection::Towards(Rotation::Clockwise))),
+                (5, 0) => Event::NewStart(NewStart::Tool(ToolCall { number: 2, ..ToolCall::default() })),
+                (_, 0 | 1) => Event::Motion(ToolMotion::Move(Move { pose, rapid: false, feed })),
+                (_, 2) => Event::Motion(ToolMotion::Move(Move { pose, rapid: true, feed })),
+                _ => Event::Motion(ToolMotion::Hole(hole)),
             });
         }
         let navigator = || Navigator::new(Box::new(config.set_up.machine::<Cb>().expect("valid")), config.policy());

@@ -120,7 +120,7 @@ mod tests {
     use crate::config::Config;
     use crate::kinematics::machines::Cb;
     use crate::motion::tests::{config, feed, rapid, run, spindle, tool};
-    use crate::program::Event;
+    use crate::program::{Event, NewStart};
 
     fn axis(c: f64, b: f64) -> [f64; 3] {
         let ((sin_c, cos_c), (sin_b, cos_b)) = (c.to_radians().sin_cos(), b.to_radians().sin_cos());
@@ -150,12 +150,12 @@ mod tests {
     #[test]
     fn an_axis_is_clamped_where_it_stays_still_and_not_while_it_moves() {
         let events = [
-            Event::Operation(b"PLANE"),
+            Event::NewStart(NewStart::Operation(b"PLANE")),
             tool(1),
             spindle(),
             feed([1.0, 0.0, 0.0], axis(0.0, 30.0)),
             feed([2.0, 0.0, 0.0], axis(0.0, 30.0)),
-            Event::Operation(b"ROUND"),
+            Event::NewStart(NewStart::Operation(b"ROUND")),
             rapid([1.0, 0.0, 0.0], axis(0.0, 30.0)),
             feed([2.0, 0.0, 0.0], axis(0.0, 35.0)),
             feed([3.0, 0.0, 0.0], axis(0.0, 40.0)),

@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 
 use crate::kinematics::math;
 use crate::motion::options::{ArcOutput, CutterPath, Policy, StretchMode};
-use crate::program::{Arc, Compensation, CutterSide, Event, Move};
+use crate::program::{Arc, Compensation, CutterSide, Event, Move, ReferenceGeometry};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::AxisPosition;
@@ -88,30 +88,13 @@ impl CutterCompensation {
     /// Refuses a record that interrupts the look-ahead of the control.
     pub(crate) fn check_record(&self, event: &Event<'_>) -> Result<(), Fault> {
         let what = match event {
-            Event::Tool(_) => "a tool is called",
-            Event::Operation(_) | Event::SafeSequence => "another operation begins",
-            Event::Stop | Event::OptionalStop => "the program stops",
-            Event::BlockSkip { .. } => "OPSKIP follows",
-            Event::SetUp(_) => "another frame follows",
-            Event::Home => "GOHOME follows",
-            Event::From(_) => "FROM follows",
-            Event::Probe(_) => "a probe measures",
-            Event::Insert(_) | Event::Code { .. } => "NC text of the CL data follows",
-            Event::Name(_)
-            | Event::MachineName(_)
-            | Event::Preselect(_)
-            | Event::Spindle(_)
-            | Event::Coolant(_)
-            | Event::Compensation(_)
-            | Event::Move(_)
-            | Event::Arc(_)
-            | Event::Spline(_)
-            | Event::Hole(_)
-            | Event::ClearancePlane(_)
-            | Event::Tolerance(_)
-            | Event::RotaryDirection(_)
-            | Event::Delay(_)
-            | Event::Message(_) => return Ok(()),
+            Event::NewStart(start) => start.sentence(),
+            Event::Interruption(interruption) => interruption.sentence(),
+            Event::Reference(ReferenceGeometry::From(_)) => "FROM follows",
+            Event::Reference(ReferenceGeometry::ClearancePlane(_))
+            | Event::Motion(_)
+            | Event::Function(_)
+            | Event::Text(..) => return Ok(()),
         };
         self.check_idle(what)
     }

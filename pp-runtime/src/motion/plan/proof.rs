@@ -7,7 +7,7 @@
 use nalgebra::{Point3, UnitVector3};
 
 use crate::kinematics::{Pose, Rotary, Side};
-use crate::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
+use crate::program::{Event, Feed, Location, MachineFunction, Move, NewStart, Rotation, Spindle, ToolCall};
 
 use crate::motion::fault::{Fault, ItemError, Planned, PlanningError};
 use crate::motion::place::PathTolerance;
@@ -149,9 +149,13 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
 
     fn plan_all(&mut self, tool: u32, tip: Point3<f64>, sweeps: &[Sweep]) -> Planned {
         let planner = &mut *self.planner;
-        records::record(planner, &Event::Tool(ToolCall { number: tool, ..ToolCall::default() }), true)?;
+        records::record(
+            planner,
+            &Event::NewStart(NewStart::Tool(ToolCall { number: tool, ..ToolCall::default() })),
+            true,
+        )?;
         let on = Spindle::On { speed_rev_per_min: Some(SPEED), rotation: Some(Rotation::Clockwise) };
-        records::record(planner, &Event::Spindle(on), true)?;
+        records::record(planner, &Event::Function(MachineFunction::Spindle(on)), true)?;
         let Some(words) = sweeps.first().and_then(|sweep| sweep.stops.first()).copied() else {
             return Err(Fault::new("this machine has no rotary axis: there is nothing to prove").into());
         };

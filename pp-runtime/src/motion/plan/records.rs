@@ -3,7 +3,10 @@
 use std::ops::RangeInclusive;
 
 use crate::motion::options::{OptionalStops, StretchMode, Transition};
-use crate::program::{Dwell, Event, RotaryDirection, ToolCall, is_nc_text};
+use crate::program::{
+    Dwell, Event, Interruption, MachineFunction, NewStart, ReferenceGeometry, RotaryDirection, TextKind, ToolCall,
+    is_nc_text,
+};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::Planner;
@@ -54,63 +57,77 @@ impl<S: Sink> Records<'_, '_, S> {
         if self.between {
             self.planner.end_operation()?;
         }
-        if matches!(
-            event,
-            Event::Stop
-                | Event::OptionalStop
-                | Event::BlockSkip { .. }
-                | Event::Insert(_)
-                | Event::Probe(_)
-                | Event::Code { .. }
-                | Event::Home
-        ) {
-            kept_dwells(self.planner)?;
-        }
         match *event {
-            Event::Spindle(command) => {
-                self.planner.spindle.request(command, self.between);
-                if self.between { Ok(()) } else { self.planner.apply_spindle(false) }
+            // Motions are items of their own.
+            Event::Motion(_) => Ok(()),
+            Event::NewStart(start) => self.new_start(start),
+            Event::Interruption(interruption) => {
+                kept_dwells(self.planner)?;
+                self.interruption(interruption)
             }
-            Event::Coolant(kind) => {
-                self.planner.request_coolant(kind);
-                if self.between { Ok(()) } else { self.planner.apply_coolant() }
-            }
-            Event::From(pose) => {
-                self.planner.mover.count_from(&pose);
+            Event::Function(function) => self.function(function),
+            Event::Reference(geometry) => {
+                match geometry {
+                    ReferenceGeometry::From(pose) => self.planner.mover.count_from(&pose),
+                    ReferenceGeometry::ClearancePlane(plane) => self.planner.clearance.set_plane(plane),
+                }
                 Ok(())
             }
-            Event::Message(text) if self.between => self.announce(&Step::Message { text }),
-            Event::Message(text) => Ok(self.planner.mover.output_mut().step(&Step::Message { text })?),
-            Event::Name(_) | Event::Preselect(_) => Ok(()),
-            Event::Operation(name) => self.name_operation(name),
-            Event::Tool(call) => self.call_tool(&call),
-            Event::Stop => self.stop(false),
-            Event::OptionalStop => self.stop(true),
-            Event::BlockSkip { on } => self.planner.skip_blocks(on),
-            Event::Delay(dwell) if self.between && self.planner.tooling.dwell_later(dwell) => Ok(()),
-            Event::Delay(dwell) => delay(self.planner, dwell),
-            Event::MachineName(name) => {
+            Event::Text(TextKind::Name, _) => Ok(()),
+            Event::Text(TextKind::MachineName, name) => {
                 self.compare_machine(name);
                 Ok(())
             }
-            Event::SafeSequence => self.leave(),
-            Event::SetUp(number) => self.change_set_up(number),
-            Event::Home => self.go_home(),
-            Event::ClearancePlane(plane) => {
-                self.planner.clearance.set_plane(plane);
-                Ok(())
+            Event::Text(TextKind::Message, text) if self.between => self.announce(&Step::Message { text }),
+            Event::Text(TextKind::Message, text) => {
+                Ok(self.planner.mover.output_mut().step(&Step::Message { text })?)
             }
-            Event::Compensation(asked) => crate::motion::plan::cutter::request(self.planner, &asked),
-            Event::RotaryDirection(turning) => self.set_rotation_sense(turning),
-            Event::Insert(text) => self.raw(text),
-            Event::Probe(blocks) => self.probe(blocks),
-            Event::Code { letter, number } => self.raw(format!("{}{number}", char::from(letter)).as_bytes()),
-            Event::Tolerance(tolerance) => {
+        }
+    }
+
+    fn new_start(&mut self, start: NewStart<'_>) -> Planned {
+        match start {
+            NewStart::Operation(name) => self.name_operation(name),
+            NewStart::Tool(call) => self.call_tool(&call),
+            NewStart::SetUp(number) => self.change_set_up(number),
+            NewStart::SafeSequence => self.leave(),
+            NewStart::Home => {
+                kept_dwells(self.planner)?;
+                self.go_home()
+            }
+        }
+    }
+
+    fn interruption(&mut self, interruption: Interruption<'_>) -> Planned {
+        match interruption {
+            Interruption::Stop => self.stop(false),
+            Interruption::OptionalStop => self.stop(true),
+            Interruption::BlockSkip { on } => self.planner.skip_blocks(on),
+            Interruption::Insert(text) => self.raw(text),
+            Interruption::Probe(blocks) => self.probe(blocks),
+            Interruption::Code { letter, number } => self.raw(format!("{}{number}", char::from(letter)).as_bytes()),
+        }
+    }
+
+    fn function(&mut self, function: MachineFunction) -> Planned {
+        match function {
+            MachineFunction::Spindle(command) => {
+                self.planner.spindle.request(command, self.between);
+                if self.between { Ok(()) } else { self.planner.apply_spindle(false) }
+            }
+            MachineFunction::Coolant(kind) => {
+                self.planner.request_coolant(kind);
+                if self.between { Ok(()) } else { self.planner.apply_coolant() }
+            }
+            MachineFunction::Compensation(asked) => crate::motion::plan::cutter::request(self.planner, &asked),
+            MachineFunction::Tolerance(tolerance) => {
                 self.planner.mover.set_tip_tolerance(tolerance.unwrap_or(self.planner.policy.options.tolerance_mm));
                 Ok(())
             }
-            // Motions are items of their own.
-            Event::Move(_) | Event::Arc(_) | Event::Spline(_) | Event::Hole(_) => Ok(()),
+            MachineFunction::RotaryDirection(turning) => self.set_rotation_sense(turning),
+            MachineFunction::Delay(dwell) if self.between && self.planner.tooling.dwell_later(dwell) => Ok(()),
+            MachineFunction::Delay(dwell) => delay(self.planner, dwell),
+            MachineFunction::Preselect(_) => Ok(()),
         }
     }
 

@@ -132,7 +132,7 @@ mod tests {
     use crate::diag::Diagnostic;
     use crate::kinematics::machines::Xyz;
     use crate::motion::source::{ItemAction, ProgramItem, Source, Stage};
-    use crate::program::{Arc, Event, Location, ToolCall};
+    use crate::program::{Arc, Event, Interruption, Location, MachineFunction, NewStart, ToolCall, ToolMotion};
 
     const AT: Location = Location { line: 1, column: 1 };
 
@@ -174,19 +174,19 @@ mod tests {
     }
 
     fn go(tip: [f64; 3]) -> Event<'static> {
-        Event::Move(Move { pose: up(tip), rapid: false, feed: None })
+        Event::Motion(ToolMotion::Move(Move { pose: up(tip), rapid: false, feed: None }))
     }
 
     fn arc(start: [f64; 3], end: [f64; 3], angle: f64) -> Event<'static> {
         let (start, end) = (up(start), up(end));
-        Event::Arc(Arc {
+        Event::Motion(ToolMotion::Arc(Arc {
             start,
             end,
             centre: Point3::origin(),
             normal: Vector3::z_axis(),
             angle_rad: angle,
             feed: None,
-        })
+        }))
     }
 
     /// Distance of a point from the line between two others.
@@ -203,7 +203,12 @@ mod tests {
             .map(|p| Point3::new(p[0], p[1], 1.0))
             .collect();
         let knots = [0.0, 0.0, 0.0, 0.0, 0.4, 1.0, 1.0, 1.0, 1.0];
-        let spline = Event::Spline(Spline { knots: &knots, points: &points, axis: Vector3::z_axis(), feed: None });
+        let spline = Event::Motion(ToolMotion::Spline(Spline {
+            knots: &knots,
+            points: &points,
+            axis: Vector3::z_axis(),
+            feed: None,
+        }));
         let (motions, _) = expanded(&Config::default(), &[go([0.0, 0.0, 1.0]), spline]).expect("faithful");
         assert_eq!(motions.last().map(|(tip, _)| *tip), Some([31.0, 2.0, 1.0]));
         // The curve by its basis functions (Cox and de Boor), which share no code with the polar form.
@@ -231,7 +236,11 @@ mod tests {
 
     #[test]
     fn an_arc_after_a_stop_begins_with_the_motion_back_to_its_start() {
-        let events = [go([20.0, 0.0, 0.0]), Event::Stop, arc([20.0, 0.0, 0.0], [0.0, 20.0, 0.0], 1.57)];
+        let events = [
+            go([20.0, 0.0, 0.0]),
+            Event::Interruption(Interruption::Stop),
+            arc([20.0, 0.0, 0.0], [0.0, 20.0, 0.0], 1.57),
+        ];
         let (motions, _) = expanded(&Config::default(), &events).expect("faithful");
         assert_eq!(motions[1..], [([20.0, 0.0, 0.0], false)], "the arc itself is no straight motion");
     }
@@ -241,8 +250,13 @@ mod tests {
         let count = |config: &Config, stated: Option<f64>| {
             let points = [[20.0, 0.0], [20.0, 11.0], [11.0, 20.0], [0.0, 20.0]].map(|[x, y]| Point3::new(x, y, 0.0));
             let knots = [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
-            let spline = Event::Spline(Spline { knots: &knots, points: &points, axis: Vector3::z_axis(), feed: None });
-            let events = [go([20.0, 0.0, 0.0]), Event::Tolerance(stated), spline];
+            let spline = Event::Motion(ToolMotion::Spline(Spline {
+                knots: &knots,
+                points: &points,
+                axis: Vector3::z_axis(),
+                feed: None,
+            }));
+            let events = [go([20.0, 0.0, 0.0]), Event::Function(MachineFunction::Tolerance(stated)), spline];
             expanded(config, &events).expect("faithful").0.len()
         };
         let config = Config::default();
@@ -261,7 +275,7 @@ mod tests {
         let (_, others) = expanded(&config, &[go([0.0; 3]), go([1.0, 0.0, 0.0])]).expect("faithful");
         assert_eq!(others.len(), 1);
         assert!(others[0].contains("number: 7"), "{others:?}");
-        let called = Event::Tool(ToolCall { number: 3, ..ToolCall::default() });
+        let called = Event::NewStart(NewStart::Tool(ToolCall { number: 3, ..ToolCall::default() }));
         let (_, others) = expanded(&config, &[called, go([0.0; 3])]).expect("faithful");
         assert_eq!(others.len(), 1);
     }

@@ -7,7 +7,7 @@
 use std::ops::Range;
 
 use crate::kinematics::Pose;
-use crate::program::{Arc, Event, Hole, Location, Move};
+use crate::program::{Arc, Event, Hole, Location, MachineFunction, Move, ReferenceGeometry, TextKind};
 
 use crate::motion::source::operations::{Begins, MotionIndex};
 use crate::motion::source::{ItemAction, LinePart, ProgramItem, Stage};
@@ -38,13 +38,13 @@ struct WaitingMotion {
     part: LinePart,
 }
 
-/// A record that is held back. Texts are ranges of [`Lookahead::texts`].
+/// A record that is held back.
 #[derive(Debug, Clone)]
 enum WaitingRecord {
-    Plain(Event<'static>),
-    Name(Range<usize>),
-    MachineName(Range<usize>),
-    Message(Range<usize>),
+    Function(MachineFunction),
+    Reference(ReferenceGeometry),
+    /// Its text is at this range of [`Lookahead::texts`].
+    Text(TextKind, Range<usize>),
 }
 
 /// The motion that is held back, and the records after it.
@@ -143,12 +143,10 @@ impl Lookahead {
         let WaitingMotion { at, ref motion, index, part } = waiting;
         to.take(&ProgramItem { at, action: ItemAction::Line { motion, index, next, part } })?;
         for (at, kept, between) in self.records.drain(..) {
-            let text = |range: Range<usize>| &self.texts[range];
             let event = match kept {
-                WaitingRecord::Plain(event) => event,
-                WaitingRecord::Name(range) => Event::Name(text(range)),
-                WaitingRecord::MachineName(range) => Event::MachineName(text(range)),
-                WaitingRecord::Message(range) => Event::Message(text(range)),
+                WaitingRecord::Function(function) => Event::Function(function),
+                WaitingRecord::Reference(geometry) => Event::Reference(geometry),
+                WaitingRecord::Text(kind, range) => Event::Text(kind, &self.texts[range]),
             };
             to.take(&ProgramItem { at, action: ItemAction::Record { event: &event, between } })?;
         }
@@ -158,39 +156,15 @@ impl Lookahead {
 
     /// Copies a record to hold it back; `None` for a motion and for a record that ends an operation.
     fn keep(&mut self, event: &Event<'_>) -> Option<WaitingRecord> {
-        let mut keep = |text: &[u8]| {
-            let start = self.texts.len();
-            self.texts.extend_from_slice(text);
-            start..self.texts.len()
-        };
-        Some(match *event {
-            Event::Name(text) => WaitingRecord::Name(keep(text)),
-            Event::MachineName(text) => WaitingRecord::MachineName(keep(text)),
-            Event::Message(text) => WaitingRecord::Message(keep(text)),
-            Event::Preselect(number) => WaitingRecord::Plain(Event::Preselect(number)),
-            Event::Spindle(spindle) => WaitingRecord::Plain(Event::Spindle(spindle)),
-            Event::Coolant(coolant) => WaitingRecord::Plain(Event::Coolant(coolant)),
-            Event::Compensation(compensation) => WaitingRecord::Plain(Event::Compensation(compensation)),
-            Event::From(pose) => WaitingRecord::Plain(Event::From(pose)),
-            Event::ClearancePlane(plane) => WaitingRecord::Plain(Event::ClearancePlane(plane)),
-            Event::Tolerance(tolerance) => WaitingRecord::Plain(Event::Tolerance(tolerance)),
-            Event::RotaryDirection(turning) => WaitingRecord::Plain(Event::RotaryDirection(turning)),
-            Event::Delay(dwell) => WaitingRecord::Plain(Event::Delay(dwell)),
-            Event::Operation(_)
-            | Event::SafeSequence
-            | Event::SetUp(_)
-            | Event::Tool(_)
-            | Event::Move(_)
-            | Event::Arc(_)
-            | Event::Spline(_)
-            | Event::Hole(_)
-            | Event::Home
-            | Event::OptionalStop
-            | Event::BlockSkip { .. }
-            | Event::Stop
-            | Event::Insert(_)
-            | Event::Probe(_)
-            | Event::Code { .. } => return None,
-        })
+        match *event {
+            Event::Function(function) => Some(WaitingRecord::Function(function)),
+            Event::Reference(geometry) => Some(WaitingRecord::Reference(geometry)),
+            Event::Text(kind, text) => {
+                let start = self.texts.len();
+                self.texts.extend_from_slice(text);
+                Some(WaitingRecord::Text(kind, start..self.texts.len()))
+            }
+            Event::Motion(_) | Event::NewStart(_) | Event::Interruption(_) => None,
+        }
     }
 }

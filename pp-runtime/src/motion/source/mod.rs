@@ -24,7 +24,9 @@ mod tests;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::options::{OperationChoice, Policy};
-use crate::program::{Arc, Event, Hole, Location, Move, Spline, ToolCall};
+use crate::program::{
+    Arc, Event, Hole, Location, MachineFunction, Move, NewStart, ReferenceGeometry, Spline, ToolCall, ToolMotion,
+};
 
 use crate::motion::fault::Fault;
 
@@ -182,11 +184,11 @@ impl Expansion<'_> {
     /// Decides what an event means to the passes over a program; no other function does.
     fn event<S: Stage>(&mut self, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
         match event {
-            Event::Move(motion) => {
+            Event::Motion(ToolMotion::Move(motion)) => {
                 self.call_assumed_tool(to)?;
                 self.line(motion, LinePart::Whole, to)
             }
-            Event::Arc(arc) => {
+            Event::Motion(ToolMotion::Arc(arc)) => {
                 self.call_assumed_tool(to)?;
                 // After a tool change or a stop a motion leads back to the start of the path.
                 if self.operations.between() {
@@ -195,55 +197,40 @@ impl Expansion<'_> {
                 let index = self.operations.hold(&arc.end);
                 self.lookahead.arc(self.at, arc, index, to)
             }
-            Event::Spline(spline) => {
+            Event::Motion(ToolMotion::Spline(spline)) => {
                 self.call_assumed_tool(to)?;
                 self.curve(spline, to)
             }
-            Event::Hole(hole) => {
+            Event::Motion(ToolMotion::Hole(hole)) => {
                 self.call_assumed_tool(to)?;
                 let index = self.operations.hole(hole);
                 self.begin(index, to)?;
                 self.lookahead.hole(self.at, hole, index, to)
             }
-            Event::Tolerance(stated) => {
+            Event::Function(MachineFunction::Tolerance(stated)) => {
                 if let Err(remark) = self.curves.state_tolerance(*stated) {
                     to.remark(remark.at(self.at, Severity::Warning));
                 }
-                self.record(&Event::Tolerance(Some(self.curves.tolerance())), to)
+                self.record(&Event::Function(MachineFunction::Tolerance(Some(self.curves.tolerance()))), to)
             }
-            Event::Tool(_) => {
+            Event::NewStart(NewStart::Tool(_)) => {
                 self.operations.call_tool();
                 self.boundary(event, to)
             }
-            Event::Operation(name) => {
+            Event::NewStart(NewStart::Operation(name)) => {
                 self.settings.name(self.at, name);
                 self.operations.name();
                 self.boundary(event, to)
             }
-            Event::SafeSequence | Event::SetUp(_) | Event::Home => {
+            Event::NewStart(_) => {
                 self.operations.leave();
                 self.boundary(event, to)
             }
-            Event::Stop
-            | Event::OptionalStop
-            | Event::BlockSkip { .. }
-            | Event::Insert(_)
-            | Event::Probe(_)
-            | Event::Code { .. } => {
+            Event::Interruption(_) => {
                 self.operations.interrupt();
                 self.boundary(event, to)
             }
-            Event::Name(_)
-            | Event::MachineName(_)
-            | Event::Preselect(_)
-            | Event::Spindle(_)
-            | Event::Coolant(_)
-            | Event::Compensation(_)
-            | Event::From(_)
-            | Event::ClearancePlane(_)
-            | Event::RotaryDirection(_)
-            | Event::Delay(_)
-            | Event::Message(_) => self.record(event, to),
+            Event::Function(_) | Event::Reference(_) | Event::Text(..) => self.record(event, to),
         }
     }
 
@@ -255,7 +242,7 @@ impl Expansion<'_> {
                     .help("call the tool before the first motion: LOADTL/1");
                 to.remark(remark.at(self.at, Severity::Warning));
             }
-            return self.record(&Event::From(motion.pose), to);
+            return self.record(&Event::Reference(ReferenceGeometry::From(motion.pose)), to);
         }
         if self.operations.named_at().is_some_and(|from| !motion.rapid && !is_at(&from, &motion.pose)) {
             let fault = Fault::new(
@@ -320,7 +307,9 @@ impl Expansion<'_> {
     /// Calls the tool of the configuration before the first motion of a program without a tool record.
     fn call_assumed_tool<S: Stage>(&mut self, to: &mut S) -> Result<(), S::Stop> {
         match self.operations.take_assumed_tool() {
-            Some(number) => self.boundary(&Event::Tool(ToolCall { number, ..ToolCall::default() }), to),
+            Some(number) => {
+                self.boundary(&Event::NewStart(NewStart::Tool(ToolCall { number, ..ToolCall::default() })), to)
+            }
             None => Ok(()),
         }
     }

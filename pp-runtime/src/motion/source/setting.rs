@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Point3, Rotation3, UnitVector3};
 
 use crate::kinematics::Pose;
-use crate::program::{Arc, ClearancePlane, Event, Hole, Move, Spline};
+use crate::program::{Arc, ClearancePlane, Event, Hole, Move, NewStart, ReferenceGeometry, Spline, ToolMotion};
 
 use crate::motion::options::Policy;
 
@@ -46,7 +46,7 @@ impl Setting {
     /// Returns an event rotated and lifted; `None` if nothing changes.
     #[inline(always)]
     pub(crate) fn event<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {
-        if let Event::SetUp(number) = event {
+        if let Event::NewStart(NewStart::SetUp(number)) = event {
             self.enter(*number);
         }
         if self.plain { None } else { Some(self.rotated(event)) }
@@ -63,48 +63,32 @@ impl Setting {
     #[inline(never)]
     fn rotated<'s>(&'s mut self, event: &Event<'s>) -> Event<'s> {
         match *event {
-            Event::Move(motion) => Event::Move(Move { pose: self.pose(&motion.pose), ..motion }),
-            Event::From(pose) => Event::From(self.pose(&pose)),
-            Event::Arc(arc) => Event::Arc(Arc {
-                start: self.pose(&arc.start),
-                end: self.pose(&arc.end),
-                centre: self.tip(&arc.centre, &arc.start.axis),
-                normal: self.direction(&arc.normal),
-                ..arc
+            Event::Motion(motion) => Event::Motion(match motion {
+                ToolMotion::Move(motion) => ToolMotion::Move(Move { pose: self.pose(&motion.pose), ..motion }),
+                ToolMotion::Arc(arc) => ToolMotion::Arc(Arc {
+                    start: self.pose(&arc.start),
+                    end: self.pose(&arc.end),
+                    centre: self.tip(&arc.centre, &arc.start.axis),
+                    normal: self.direction(&arc.normal),
+                    ..arc
+                }),
+                ToolMotion::Spline(spline) => {
+                    let mut points = std::mem::take(&mut self.points);
+                    points.clear();
+                    points.extend(spline.points.iter().map(|point| self.tip(point, &spline.axis)));
+                    self.points = points;
+                    ToolMotion::Spline(Spline { points: &self.points, axis: self.direction(&spline.axis), ..spline })
+                }
+                ToolMotion::Hole(hole) => ToolMotion::Hole(Hole { top: self.pose(&hole.top), ..hole }),
             }),
-            Event::Spline(spline) => {
-                let mut points = std::mem::take(&mut self.points);
-                points.clear();
-                points.extend(spline.points.iter().map(|point| self.tip(point, &spline.axis)));
-                self.points = points;
-                Event::Spline(Spline { points: &self.points, axis: self.direction(&spline.axis), ..spline })
-            }
-            Event::Hole(hole) => Event::Hole(Hole { top: self.pose(&hole.top), ..hole }),
-            Event::ClearancePlane(plane) => {
-                Event::ClearancePlane(ClearancePlane { normal: self.direction(&plane.normal), ..plane })
-            }
+            Event::Reference(geometry) => Event::Reference(match geometry {
+                ReferenceGeometry::From(pose) => ReferenceGeometry::From(self.pose(&pose)),
+                ReferenceGeometry::ClearancePlane(plane) => {
+                    ReferenceGeometry::ClearancePlane(ClearancePlane { normal: self.direction(&plane.normal), ..plane })
+                }
+            }),
             // These contain no point and no direction.
-            Event::Name(_)
-            | Event::MachineName(_)
-            | Event::Operation(_)
-            | Event::SafeSequence
-            | Event::SetUp(_)
-            | Event::Tool(_)
-            | Event::Preselect(_)
-            | Event::Spindle(_)
-            | Event::Coolant(_)
-            | Event::Compensation(_)
-            | Event::Home
-            | Event::Tolerance(_)
-            | Event::RotaryDirection(_)
-            | Event::Delay(_)
-            | Event::OptionalStop
-            | Event::BlockSkip { .. }
-            | Event::Stop
-            | Event::Message(_)
-            | Event::Insert(_)
-            | Event::Probe(_)
-            | Event::Code { .. } => *event,
+            Event::NewStart(_) | Event::Interruption(_) | Event::Function(_) | Event::Text(..) => *event,
         }
     }
 
@@ -144,19 +128,22 @@ mod tests {
     #[test]
     fn every_point_and_direction_of_an_event_is_rotated() {
         let (here, there) = (pose([1., 2., 3.], [0., 0., 1.]), pose([3., 1., 2.], [1., 0., 0.]));
-        let motion = |pose| Event::Move(Move { pose, rapid: false, feed: None });
+        let motion = |pose| Event::Motion(ToolMotion::Move(Move { pose, rapid: false, feed: None }));
         assert_eq!(setting().event(&motion(here)), Some(motion(there)));
-        assert_eq!(setting().event(&Event::From(here)), Some(Event::From(there)));
+        assert_eq!(
+            setting().event(&Event::Reference(ReferenceGeometry::From(here))),
+            Some(Event::Reference(ReferenceGeometry::From(there)))
+        );
         let arc = |pose: Pose, centre: [f64; 3], normal| {
             let (centre, angle) = (Point3::from(centre), 1.0);
-            Event::Arc(Arc { start: pose, end: pose, centre, normal, angle_rad: angle, feed: None })
+            Event::Motion(ToolMotion::Arc(Arc { start: pose, end: pose, centre, normal, angle_rad: angle, feed: None }))
         };
         let rotated = arc(there, [6., 4., 5.], Vector3::y_axis());
         assert_eq!(setting().event(&arc(here, [4., 5., 6.], Vector3::x_axis())), Some(rotated));
         let hole = |top| {
             let drilling = Drilling::Drill;
             let (depth, clearance, back_to) = (5.0, 1.0, 2.0);
-            Event::Hole(Hole {
+            Event::Motion(ToolMotion::Hole(Hole {
                 top,
                 depth_mm: depth,
                 clearance_mm: clearance,
@@ -164,19 +151,21 @@ mod tests {
                 drilling,
                 feed: None,
                 dwell: None,
-            })
+            }))
         };
         assert_eq!(setting().event(&hole(here)), Some(hole(there)));
-        let plane = |normal| Event::ClearancePlane(ClearancePlane { normal, distance_mm: 7.0 });
+        let plane =
+            |normal| Event::Reference(ReferenceGeometry::ClearancePlane(ClearancePlane { normal, distance_mm: 7.0 }));
         assert_eq!(setting().event(&plane(Vector3::z_axis())), Some(plane(Vector3::x_axis())));
         let (before, after) = ([here.tip], [there.tip]);
-        let curve = |points, axis| Event::Spline(Spline { knots: &[0.0], points, axis, feed: None });
+        let curve =
+            |points, axis| Event::Motion(ToolMotion::Spline(Spline { knots: &[0.0], points, axis, feed: None }));
         assert_eq!(setting().event(&curve(&before, here.axis)), Some(curve(&after, there.axis)));
     }
 
     #[test]
     fn without_a_set_up_the_cl_data_stays_as_it_is() {
-        let from = Event::From(pose([1., 2., 3.], [0., 0., 1.]));
+        let from = Event::Reference(ReferenceGeometry::From(pose([1., 2., 3.], [0., 0., 1.])));
         assert_eq!(Setting::new(Config::default().policy()).event(&from), None);
     }
 
@@ -192,17 +181,18 @@ mod tests {
         let mut config = Config::default();
         config.motion.lift_mm = Some(50.0);
         let mut setting = Setting::new(config.policy());
-        let motion = |pose| Event::Move(Move { pose, rapid: true, feed: None });
+        let motion = |pose| Event::Motion(ToolMotion::Move(Move { pose, rapid: true, feed: None }));
         assert_eq!(setting.event(&motion(here)), Some(motion(there)));
         let (before, after) = ([here.tip; 2], [there.tip; 2]);
-        let curve = |points, axis| Event::Spline(Spline { knots: &[0.0], points, axis, feed: None });
+        let curve =
+            |points, axis| Event::Motion(ToolMotion::Spline(Spline { knots: &[0.0], points, axis, feed: None }));
         assert_eq!(setting.event(&curve(&before, here.axis)), Some(curve(&after, here.axis)));
         let arc = |pose: Pose, centre| {
             let normal = Vector3::z_axis();
-            Event::Arc(Arc { start: pose, end: pose, centre, normal, angle_rad: 1.0, feed: None })
+            Event::Motion(ToolMotion::Arc(Arc { start: pose, end: pose, centre, normal, angle_rad: 1.0, feed: None }))
         };
         assert_eq!(setting.event(&arc(here, Point3::origin())), Some(arc(there, Point3::new(30., 0., 40.))));
         let plane = ClearancePlane { normal: Vector3::z_axis(), distance_mm: 7.0 };
-        assert!(lifted(Event::ClearancePlane(plane)), "the geometry stays");
+        assert!(lifted(Event::Reference(ReferenceGeometry::ClearancePlane(plane))), "the geometry stays");
     }
 }

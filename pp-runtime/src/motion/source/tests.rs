@@ -7,7 +7,7 @@ use crate::config::Config;
 use crate::kinematics::machines::{Head, Xyz};
 use crate::kinematics::{Machine, Pose};
 use crate::motion::Transition;
-use crate::program::{Coolant, Drilling, Feed, Spindle};
+use crate::program::{Coolant, Drilling, Feed, Interruption, Spindle, TextKind};
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 const TILTED: [f64; 3] = [0.6, 0.0, 0.8];
@@ -17,21 +17,29 @@ fn pose(x: f64, axis: [f64; 3]) -> Pose {
 }
 
 fn rapid(x: f64, axis: [f64; 3]) -> Event<'static> {
-    Event::Move(Move { pose: pose(x, axis), rapid: true, feed: None })
+    Event::Motion(ToolMotion::Move(Move { pose: pose(x, axis), rapid: true, feed: None }))
 }
 
 fn feed(x: f64, axis: [f64; 3]) -> Event<'static> {
-    Event::Move(Move { pose: pose(x, axis), rapid: false, feed: Some(Feed::PerMinute(100.0)) })
+    Event::Motion(ToolMotion::Move(Move { pose: pose(x, axis), rapid: false, feed: Some(Feed::PerMinute(100.0)) }))
 }
 
 fn hole(x: f64, axis: [f64; 3]) -> Event<'static> {
     let (drilling, feed) = (Drilling::Drill, Some(Feed::PerMinute(100.0)));
     let top = pose(x, axis);
-    Event::Hole(Hole { top, depth_mm: 5.0, clearance_mm: 2.0, return_mm: 2.0, drilling, feed, dwell: None })
+    Event::Motion(ToolMotion::Hole(Hole {
+        top,
+        depth_mm: 5.0,
+        clearance_mm: 2.0,
+        return_mm: 2.0,
+        drilling,
+        feed,
+        dwell: None,
+    }))
 }
 
 fn tool(number: u32) -> Event<'static> {
-    Event::Tool(ToolCall { number, ..ToolCall::default() })
+    Event::NewStart(NewStart::Tool(ToolCall { number, ..ToolCall::default() }))
 }
 
 /// Items as text, and the indices of motions.
@@ -65,9 +73,13 @@ impl Stage for Seen {
             ItemAction::Operation(start) => {
                 format!("operation {} {} within {}", start.number, start.name, start.tolerance_mm)
             }
-            ItemAction::Record { event: Event::Message(text), .. } => String::from_utf8_lossy(text).into_owned(),
-            ItemAction::Record { event: Event::Tool(call), .. } => format!("T{}", call.number),
-            ItemAction::Record { event: Event::From(pose), .. } => format!("from {}", x(pose)),
+            ItemAction::Record { event: Event::Text(TextKind::Message, text), .. } => {
+                String::from_utf8_lossy(text).into_owned()
+            }
+            ItemAction::Record { event: Event::NewStart(NewStart::Tool(call)), .. } => format!("T{}", call.number),
+            ItemAction::Record { event: Event::Reference(ReferenceGeometry::From(pose)), .. } => {
+                format!("from {}", x(pose))
+            }
             ItemAction::Record { between, .. } => if between { "between" } else { "within" }.to_owned(),
         });
         Ok(())
@@ -92,15 +104,15 @@ fn seen<M: Machine>(config: &Config, events: &[Event<'_>]) -> Seen {
 fn a_first_motion_waits_for_the_next_and_the_records_between_them_keep_their_order() {
     let events = [
         tool(1),
-        Event::Spindle(Spindle::Off),
+        Event::Function(MachineFunction::Spindle(Spindle::Off)),
         rapid(1.0, UP),
-        Event::Message(b"A"),
-        Event::Coolant(Coolant::Flood),
-        Event::Message(b"B"),
+        Event::Text(TextKind::Message, b"A"),
+        Event::Function(MachineFunction::Coolant(Coolant::Flood)),
+        Event::Text(TextKind::Message, b"B"),
         feed(2.0, UP),
         feed(3.0, UP),
         rapid(4.0, UP),
-        Event::Operation(b"NEXT"),
+        Event::NewStart(NewStart::Operation(b"NEXT")),
     ];
     let items = seen::<Xyz>(&Config::default(), &events).items;
     let expected =
@@ -117,7 +129,7 @@ fn the_motion_after_a_first_one_may_be_the_rapid_over_to_a_hole() {
 #[test]
 fn more_records_than_can_be_held_back_are_handed_on_and_the_next_motion_is_unknown() {
     let mut events = vec![tool(1), rapid(1.0, UP)];
-    events.extend(std::iter::repeat_n(Event::Message(b"M"), 20_000));
+    events.extend(std::iter::repeat_n(Event::Text(TextKind::Message, b"M"), 20_000));
     events.push(feed(2.0, UP));
     let items = seen::<Xyz>(&Config::default(), &events).items;
     assert_eq!(items.len(), 20_003);
@@ -141,11 +153,11 @@ fn operations_begin_after_a_boundary_and_are_linked_only_where_nothing_interrupt
     let events = [
         tool(1),
         feed(1.0, UP),
-        Event::Operation(b"A"),
-        Event::Operation(b"B"),
+        Event::NewStart(NewStart::Operation(b"A")),
+        Event::NewStart(NewStart::Operation(b"B")),
         feed(2.0, UP),
-        Event::Operation(b"C"),
-        Event::OptionalStop,
+        Event::NewStart(NewStart::Operation(b"C")),
+        Event::Interruption(Interruption::OptionalStop),
         feed(3.0, UP),
         feed(4.0, UP),
     ];
@@ -175,7 +187,7 @@ fn a_stretch_ends_where_the_tool_axis_changes_in_the_air() {
         rapid(6.0, UP),
         hole(7.0, TILTED),
         hole(8.0, TILTED),
-        Event::Stop,
+        Event::Interruption(Interruption::Stop),
         feed(9.0, TILTED),
     ];
     let indices = seen::<Xyz>(&Config::default(), &events).indices;
@@ -205,7 +217,7 @@ fn a_stretch_ends_where_the_tool_axis_changes_in_the_air() {
 fn a_linked_operation_that_begins_with_a_rotation_at_feed_is_marked() {
     let mut config = Config::default();
     config.motion.rapids.transition = Transition::Direct;
-    let events = [tool(1), feed(1.0, UP), Event::Operation(b"A"), feed(2.0, TILTED)];
+    let events = [tool(1), feed(1.0, UP), Event::NewStart(NewStart::Operation(b"A")), feed(2.0, TILTED)];
     let indices = seen::<Xyz>(&config, &events).indices;
     assert_eq!(
         indices.iter().map(|index| (index.stretch, index.rotates_axis)).collect::<Vec<_>>(),
@@ -217,7 +229,12 @@ fn a_linked_operation_that_begins_with_a_rotation_at_feed_is_marked() {
 fn a_motion_before_a_curve_that_cannot_be_cut_is_handed_on() {
     let points = [0.0, 1e20, 0.0, 1.0].map(|x| Point3::new(x, 0.0, 0.0));
     let knots = [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
-    let curve = Event::Spline(Spline { knots: &knots, points: &points, axis: Vector3::z_axis(), feed: None });
+    let curve = Event::Motion(ToolMotion::Spline(Spline {
+        knots: &knots,
+        points: &points,
+        axis: Vector3::z_axis(),
+        feed: None,
+    }));
     let config = Config::default();
     let mut source = Source::new(&Xyz::default(), config.policy());
     let mut seen = Seen::default();

@@ -148,7 +148,15 @@ fn the_first_pose_counts_from_the_pose_of_from() {
     };
     // From zero the second branch rotates less; from C 160 the first one does.
     assert_eq!(chosen(&[tool(1), spindle(), first]), "G0 B-4 C-10");
-    assert_eq!(chosen(&[Event::From(pose([0.0; 3], cb(160.0, 50.0))), tool(1), spindle(), first]), "G0 B4 C170");
+    assert_eq!(
+        chosen(&[
+            Event::Reference(ReferenceGeometry::From(pose([0.0; 3], cb(160.0, 50.0)))),
+            tool(1),
+            spindle(),
+            first
+        ]),
+        "G0 B4 C170"
+    );
 }
 
 #[test]
@@ -168,7 +176,7 @@ fn an_axis_is_rewound_a_full_turn_out_of_the_part() {
     config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
     let at = |angle: f64, feed: bool| {
         let pose = pose([10.0, 0.0, 0.0], cb(angle, 30.0));
-        Event::Move(Move { pose, rapid: !feed, feed: Some(Feed::PerMinute(100.0)) })
+        Event::Motion(ToolMotion::Move(Move { pose, rapid: !feed, feed: Some(Feed::PerMinute(100.0)) }))
     };
     let events = |last| [tool(1), spindle(), at(170.0, true), at(183.0, true), last];
     let cut = run::<Cb>(&config, &events(at(186.0, true)));
@@ -188,7 +196,7 @@ fn a_rewind_never_begins_by_going_down_to_the_clearance() {
     let mut config = config();
     config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
     let plane = ClearancePlane { normal: Vector3::z_axis(), distance_mm: 30.0 };
-    let mut events = vec![tool(1), spindle(), Event::ClearancePlane(plane)];
+    let mut events = vec![tool(1), spindle(), Event::Reference(ReferenceGeometry::ClearancePlane(plane))];
     events.extend([170.0, 183.0, 186.0].map(|angle| feed([10.0, 0.0, 60.0], cb(angle, 30.0))));
     let run = run::<Cb>(&config, &events);
     assert_eq!(run.statistics.rewinds, 1);
@@ -277,7 +285,7 @@ fn first_and_second_pass_count_from_the_same_place() {
     config.set_up.limits.insert('B', Some(crate::kinematics::Limits { lower: -1.2, upper: 1.8 }));
     config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -5.2, upper: 5.2 }));
     let events = [
-        Event::From(pose([0.0, 0.0, 100.0], cb(100.0, 20.0))),
+        Event::Reference(ReferenceGeometry::From(pose([0.0, 0.0, 100.0], cb(100.0, 20.0)))),
         // Not written, for there is no tool; the table keeps its value at the pole.
         rapid([0.0, 0.0, 90.0], UP),
         tool(1),
@@ -513,8 +521,15 @@ fn a_spiral_of_forty_turns_is_written_within_a_turn() {
 fn the_table_rotates_in_the_sense_of_rotabl() {
     let after = |turning: RotaryDirection, last: Event<'static>| {
         let before = [tool(1), spindle(), feed([0.0; 3], cb(10.0, 30.0))];
-        [&before[..], &[Event::RotaryDirection(turning), last, Event::RotaryDirection(RotaryDirection::Shortest)]]
-            .concat()
+        [
+            &before[..],
+            &[
+                Event::Function(MachineFunction::RotaryDirection(turning)),
+                last,
+                Event::Function(MachineFunction::RotaryDirection(RotaryDirection::Shortest)),
+            ],
+        ]
+        .concat()
     };
     let rotaries = |config: &Config, turning| {
         let run = run::<Cb>(config, &after(turning, rapid([0.0; 3], cb(40.0, 30.0))));

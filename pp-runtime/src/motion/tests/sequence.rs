@@ -5,13 +5,13 @@ use super::*;
 #[test]
 fn two_tools_go_through_every_step_of_the_safe_sequence_one_block_each() {
     let events = [
-        Event::Operation(b"ROUGH"),
+        Event::NewStart(NewStart::Operation(b"ROUGH")),
         tool(1),
         spindle(),
-        Event::Coolant(Coolant::Flood),
+        Event::Function(MachineFunction::Coolant(Coolant::Flood)),
         feed([10.0, 20.0, -1.0], UP),
         feed([30.0, 20.0, -1.0], UP),
-        Event::Operation(b"FINISH"),
+        Event::NewStart(NewStart::Operation(b"FINISH")),
         tool(2),
         spindle(),
         feed([10.0, 0.0, 0.0], cb(90.0, 30.0)),
@@ -72,7 +72,7 @@ fn a_first_rapid_with_the_next_point_below_it_is_the_approach_point() {
         tool(1),
         spindle(),
         rapid([1.0, 2.0, 30.0], UP),
-        Event::Coolant(Coolant::Mist),
+        Event::Function(MachineFunction::Coolant(Coolant::Mist)),
         rapid([1.0, 2.0, 3.0], UP),
         feed([1.0, 2.0, -3.0], UP),
     ];
@@ -122,11 +122,11 @@ fn a_stop_retracts_first_and_starts_with_every_word_again() {
     let events = [
         tool(1),
         spindle(),
-        Event::Coolant(Coolant::Flood),
+        Event::Function(MachineFunction::Coolant(Coolant::Flood)),
         feed([0.0, 0.0, 0.0], UP),
-        Event::Stop,
+        Event::Interruption(Interruption::Stop),
         feed([0.0, 0.0, 0.0], UP),
-        Event::OptionalStop,
+        Event::Interruption(Interruption::OptionalStop),
         feed([0.0, 0.0, 1.0], UP),
     ];
     let lines = lines::<Xyz>(&config(), &events);
@@ -154,7 +154,13 @@ fn a_stop_retracts_first_and_starts_with_every_word_again() {
 fn without_stop_retract_the_stop_is_alone() {
     let mut config = config();
     config.motion.stop_retract = false;
-    let events = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), Event::Stop, feed([0.0, 0.0, 0.0], UP)];
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0, 0.0, 0.0], UP),
+        Event::Interruption(Interruption::Stop),
+        feed([0.0, 0.0, 0.0], UP),
+    ];
     let lines = lines::<Xyz>(&config, &events);
     let stop = lines.iter().position(|line| line == "M0").expect("a stop");
     assert_eq!(lines[stop - 1], "G1 Z0 F500");
@@ -166,7 +172,7 @@ fn a_rapid_that_rotates_the_table_goes_through_the_sequence() {
     let events = [
         tool(1),
         spindle(),
-        Event::Coolant(Coolant::Flood),
+        Event::Function(MachineFunction::Coolant(Coolant::Flood)),
         feed([0.0, 0.0, 0.0], UP),
         rapid([0.0, 0.0, 5.0], UP),
         rapid([0.0, 0.0, 60.0], [0.0, -1.0, 1.0]),
@@ -214,7 +220,7 @@ fn a_direct_transition_continues_from_the_end_of_the_operation_but_never_over_a_
         tool(1),
         spindle(),
         feed([0.0, 0.0, 0.0], UP),
-        Event::Operation(b"NEXT"),
+        Event::NewStart(NewStart::Operation(b"NEXT")),
         feed([5.0, 0.0, 0.0], UP),
         tool(2),
         spindle(),
@@ -274,9 +280,9 @@ fn records_between_the_first_motion_and_the_second_keep_their_order() {
     let events = [
         tool(1),
         rapid([0.0, 0.0, 9.0], UP),
-        Event::Message(b"LOOK"),
+        Event::Text(TextKind::Message, b"LOOK"),
         spindle(),
-        Event::Coolant(Coolant::Flood),
+        Event::Function(MachineFunction::Coolant(Coolant::Flood)),
         feed([0.0, 0.0, 1.0], UP),
     ];
     let lines = lines::<Xyz>(&config(), &events);
@@ -349,7 +355,13 @@ fn axes_park_one_after_the_other_with_the_retract_axis_last() {
 #[test]
 fn without_stop_retract_a_head_leaves_the_part_along_the_tool_all_the_same() {
     let tilted = [1.0, 0.0, 1.0];
-    let events = [tool(1), spindle(), feed([0.0; 3], tilted), Event::Stop, feed([9.0, 0.0, 0.0], tilted)];
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0; 3], tilted),
+        Event::Interruption(Interruption::Stop),
+        feed([9.0, 0.0, 0.0], tilted),
+    ];
     let mut config = with_lengths(Some(20.0));
     config.motion.stop_retract = false;
     let lines = lines::<Head>(&config, &events);
@@ -380,14 +392,20 @@ fn a_retract_position_at_the_part_end_of_the_travel_is_refused() {
 fn the_spindle_stops_after_the_retract_and_only_once() {
     let mut config = config();
     config.motion.retract.distance_mm = Some(20.0);
-    let cut = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), feed([5.0, 0.0, 0.0], UP), Event::Spindle(Spindle::Off)];
+    let cut = [
+        tool(1),
+        spindle(),
+        feed([0.0, 0.0, 0.0], UP),
+        feed([5.0, 0.0, 0.0], UP),
+        Event::Function(MachineFunction::Spindle(Spindle::Off)),
+    ];
     let end = |events: &[Event<'_>]| {
         let lines = lines::<Xyz>(&config, events);
         let out = lines.iter().position(|line| line == "G0 Z20").expect("the retract");
         lines[out + 1..].to_vec()
     };
     assert_eq!(end(&cut), ["G53 G0 Z0", "M5"]);
-    let stopped: Vec<_> = cut.iter().copied().chain([Event::Stop]).collect();
+    let stopped: Vec<_> = cut.iter().copied().chain([Event::Interruption(Interruption::Stop)]).collect();
     assert_eq!(end(&stopped)[..3], ["G53 G0 Z0", "M5", "M0"]);
     let changed: Vec<_> = cut.iter().copied().chain([tool(2), spindle(), feed([9.0, 0.0, 0.0], UP)]).collect();
     assert_eq!(end(&changed)[1..5], ["M9", "G53 G0 Z0", "M5", "T2 M6"]);
@@ -395,7 +413,7 @@ fn the_spindle_stops_after_the_retract_and_only_once() {
 
 #[test]
 fn gohome_retracts_and_parks_where_a_position_is_configured() {
-    let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Home, feed([1.0, 0.0, 0.0], UP)];
+    let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::NewStart(NewStart::Home), feed([1.0, 0.0, 0.0], UP)];
     let retracted = lines::<Cb>(&config(), &events);
     let home = retracted.iter().rposition(|line| line.starts_with("N2 G21")).expect("a restart");
     assert_eq!(retracted[home - 1], "G53 G0 Z0", "{retracted:?}");
@@ -414,7 +432,8 @@ fn the_first_rotation_after_gohome_begins_at_the_park_position() {
         config.motion.park.insert('C', 0.0);
         config.motion.rotaries.wrap.extend(wrap.map(|wrap| ('C', wrap)));
         let point = |c: f64| feed([10.0, 0.0, 60.0], cb(c, 30.0));
-        let lines = lines::<Cb>(&config, &[tool(1), spindle(), point(before), Event::Home, point(after)]);
+        let lines =
+            lines::<Cb>(&config, &[tool(1), spindle(), point(before), Event::NewStart(NewStart::Home), point(after)]);
         let words = lines.iter().flat_map(|line| line.split(' ')).filter(|word| word.starts_with('C'));
         words.map(str::to_owned).collect()
     };
@@ -430,8 +449,8 @@ fn the_first_rotation_after_gohome_begins_at_the_park_position() {
 fn from_after_gohome_leaves_parked_axes_at_their_positions() {
     let mut config = config();
     config.motion.park.insert('C', 0.0);
-    let from = Event::From(pose([0.0; 3], cb(170.0, 30.0)));
-    let events = [tool(1), Event::Home, from, spindle(), feed([10.0, 0.0, 60.0], cb(-170.0, 30.0))];
+    let from = Event::Reference(ReferenceGeometry::From(pose([0.0; 3], cb(170.0, 30.0))));
+    let events = [tool(1), Event::NewStart(NewStart::Home), from, spindle(), feed([10.0, 0.0, 60.0], cb(-170.0, 30.0))];
     let lines = lines::<Cb>(&config, &events);
     assert!(lines.contains(&"G0 B30 C-170".to_owned()), "{lines:?}");
 }
@@ -479,8 +498,14 @@ fn a_rapid_is_written_as_configured() {
 #[test]
 fn a_tool_retracts_to_the_clearance_plane() {
     let plane = ClearancePlane { normal: Vector3::z_axis(), distance_mm: 80.0 };
-    let events =
-        [Event::ClearancePlane(plane), tool(1), spindle(), feed([0.0; 3], UP), tool(2), feed([1.0, 0.0, 0.0], UP)];
+    let events = [
+        Event::Reference(ReferenceGeometry::ClearancePlane(plane)),
+        tool(1),
+        spindle(),
+        feed([0.0; 3], UP),
+        tool(2),
+        feed([1.0, 0.0, 0.0], UP),
+    ];
     let lines = run::<Cb>(&config(), &events).lines;
     assert!(lines.iter().any(|line| line == "G0 Z80"), "{lines:?}");
 }

@@ -16,7 +16,9 @@ fn a_head_does_not_post_without_the_length_of_the_tool() {
 fn a_head_refuses_two_lengths_and_a_table_only_warns() {
     let mut config = config();
     config.set_up.tools.insert(1, GivenTool { length_mm: Some(100.0), ..GivenTool::default() });
-    let call = |length| Event::Tool(ToolCall { number: 1, length_mm: Some(length), ..ToolCall::default() });
+    let call = |length| {
+        Event::NewStart(NewStart::Tool(ToolCall { number: 1, length_mm: Some(length), ..ToolCall::default() }))
+    };
     let events = |length| [call(length), spindle(), feed([0.0; 3], UP), feed([0.0, 0.0, 60.0], UP)];
     assert!(run::<Head>(&config, &events(100.02)).error().text.contains("100 mm long"));
     assert_eq!(run::<Head>(&config, &events(100.009)).diagnostics, []);
@@ -30,8 +32,11 @@ fn a_feed_motion_needs_tool_spindle_and_feed() {
     let text = |events: &[Event<'_>]| run::<Xyz>(&config(), events).error().text.clone();
     assert!(text(&[spindle(), feed([0.0; 3], UP)]).contains("before the first tool"));
     assert!(text(&[tool(1), feed([0.0; 3], UP)]).contains("without spindle speed"));
-    assert!(text(&[tool(1), spindle(), Event::Spindle(Spindle::Off), feed([0.0; 3], UP)]).contains("spindle off"));
-    let silent = Event::Move(Move { pose: pose([0.0; 3], UP), rapid: false, feed: None });
+    assert!(
+        text(&[tool(1), spindle(), Event::Function(MachineFunction::Spindle(Spindle::Off)), feed([0.0; 3], UP)])
+            .contains("spindle off")
+    );
+    let silent = Event::Motion(ToolMotion::Move(Move { pose: pose([0.0; 3], UP), rapid: false, feed: None }));
     assert!(text(&[tool(1), spindle(), silent]).contains("without feed"));
 }
 
@@ -50,8 +55,15 @@ fn a_rapid_before_the_first_tool_moves_nothing_because_no_length_offset_is_activ
 fn the_speed_of_one_tool_is_not_that_of_the_next() {
     let events = [tool(1), spindle(), feed([0.0; 3], UP), tool(2), feed([0.0; 3], UP)];
     assert!(run::<Xyz>(&config(), &events).error().text.contains("since the tool call"));
-    let before =
-        [tool(1), spindle(), feed([0.0; 3], UP), Event::Operation(b"B"), spindle(), tool(2), feed([0.0; 3], UP)];
+    let before = [
+        tool(1),
+        spindle(),
+        feed([0.0; 3], UP),
+        Event::NewStart(NewStart::Operation(b"B")),
+        spindle(),
+        tool(2),
+        feed([0.0; 3], UP),
+    ];
     assert_eq!(run::<Xyz>(&config(), &before).diagnostics, []);
 }
 
@@ -70,7 +82,10 @@ fn spindle_speeds_that_make_no_sense_are_refused() {
     let mut config = config();
     config.motion.guards.spindle_max_rev_per_min = Some(8000.0);
     let text = |config: &Config, speed, rotation| {
-        let on = Event::Spindle(Spindle::On { speed_rev_per_min: Some(speed), rotation: Some(rotation) });
+        let on = Event::Function(MachineFunction::Spindle(Spindle::On {
+            speed_rev_per_min: Some(speed),
+            rotation: Some(rotation),
+        }));
         run::<Xyz>(config, &[tool(1), on, feed([0.0; 3], UP)]).diagnostics.first().map(|found| found.text.clone())
     };
     assert_eq!(text(&config, 8000.0, Rotation::Clockwise), None);
@@ -120,7 +135,11 @@ fn inverse_time_is_written_where_a_rotary_word_changes_and_f_is_repeated_after_i
 
 #[test]
 fn a_feed_per_revolution_becomes_a_feed_per_minute_with_the_written_speed() {
-    let per_turn = Event::Move(Move { pose: pose([0.0; 3], UP), rapid: false, feed: Some(Feed::PerRevolution(0.1)) });
+    let per_turn = Event::Motion(ToolMotion::Move(Move {
+        pose: pose([0.0; 3], UP),
+        rapid: false,
+        feed: Some(Feed::PerRevolution(0.1)),
+    }));
     let text = run::<Xyz>(&config(), &[tool(1), spindle(), per_turn]).text();
     assert!(text.contains("G1 Z0 F800"), "{text}");
 }
@@ -139,7 +158,8 @@ fn a_rapid_below_everything_that_was_cut_is_remarked_on() {
 
 #[test]
 fn a_tool_that_is_called_again_keeps_the_length_that_was_given_once() {
-    let call = |length| Event::Tool(ToolCall { number: 1, length_mm: length, ..ToolCall::default() });
+    let call =
+        |length| Event::NewStart(NewStart::Tool(ToolCall { number: 1, length_mm: length, ..ToolCall::default() }));
     let events = |again| {
         let out = |x| feed([x, 0.0, 60.0], UP);
         [call(Some(120.0)), spindle(), feed([0.0; 3], UP), out(0.0), call(again), feed([0.0; 3], UP), out(0.0)]
@@ -160,9 +180,12 @@ fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
         spindle(),
         feed([10.0, 0.0, 0.0], cb(160.0, 30.0)),
         feed([10.0, 0.0, 0.0], cb(170.0, 30.0)),
-        Event::Operation(b"NEXT"),
-        Event::Spindle(Spindle::On { speed_rev_per_min: Some(3000.0), rotation: Some(Rotation::Clockwise) }),
-        Event::Coolant(Coolant::Flood),
+        Event::NewStart(NewStart::Operation(b"NEXT")),
+        Event::Function(MachineFunction::Spindle(Spindle::On {
+            speed_rev_per_min: Some(3000.0),
+            rotation: Some(Rotation::Clockwise),
+        })),
+        Event::Function(MachineFunction::Coolant(Coolant::Flood)),
         // The table reaches its limit in this motion.
         feed([10.0, 0.0, 0.0], cb(190.0, 30.0)),
     ];
@@ -172,7 +195,7 @@ fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
     assert_eq!(on.lines[next + 1..next + 3], ["S3000 M3", "M8"], "{}", on.text());
     // With the spindle off the course changes do not cut either.
     let mut off = events;
-    off[5] = Event::Spindle(Spindle::Off);
+    off[5] = Event::Function(MachineFunction::Spindle(Spindle::Off));
     let off = run::<Cb>(&config, &off);
     assert!(off.error().text.contains("with the spindle off"), "{:?}", off.error());
     assert_eq!(off.lines[next + 1..], ["M5"], "{}", off.text());
@@ -180,12 +203,12 @@ fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
 
 #[test]
 fn coolant_that_the_control_has_no_code_for_is_refused() {
-    let events = [tool(1), spindle(), Event::Coolant(Coolant::Through), feed([0.0; 3], UP)];
+    let events = [tool(1), spindle(), Event::Function(MachineFunction::Coolant(Coolant::Through)), feed([0.0; 3], UP)];
     let text = "COOLNT asks for coolant through the spindle, for which this control has no code";
     assert_eq!(run::<Xyz>(&config(), &events).error().text, text);
     let mut config = config();
     config.motion.defaults.coolant = Coolants::of(Coolant::Air);
-    let events = [tool(1), spindle(), Event::Coolant(Coolant::On), feed([0.0; 3], UP)];
+    let events = [tool(1), spindle(), Event::Function(MachineFunction::Coolant(Coolant::On)), feed([0.0; 3], UP)];
     assert!(
         run::<Xyz>(&config, &events)
             .error()
@@ -196,7 +219,7 @@ fn coolant_that_the_control_has_no_code_for_is_refused() {
 
 #[test]
 fn a_pressure_that_the_control_has_no_code_for_is_left_out_with_a_warning() {
-    let pressure = Event::Coolant(Coolant::ThroughAt(Pressure::High));
+    let pressure = Event::Function(MachineFunction::Coolant(Coolant::ThroughAt(Pressure::High)));
     let events = [tool(1), spindle(), pressure, feed([0.0; 3], UP)];
     let mut config = config();
     config.control.coolant[2] = Some(["M51".to_owned(), "M59".to_owned()]);
@@ -222,7 +245,8 @@ fn the_program_is_the_same_each_time() {
 
 #[test]
 fn a_tool_that_is_called_again_without_its_offset_register_keeps_it() {
-    let call = |offset| Event::Tool(ToolCall { number: 1, length_offset: offset, ..ToolCall::default() });
+    let call =
+        |offset| Event::NewStart(NewStart::Tool(ToolCall { number: 1, length_offset: offset, ..ToolCall::default() }));
     let cut = feed([0.0, 0.0, 0.0], UP);
     let events = [call(Some(5)), spindle(), cut, call(None), cut, call(Some(1)), cut, call(None), cut];
     let lines = lines::<Xyz>(&config(), &events);
@@ -232,17 +256,29 @@ fn a_tool_that_is_called_again_without_its_offset_register_keeps_it() {
 
 #[test]
 fn the_speed_of_one_tool_is_never_that_of_another() {
-    let on = Event::Spindle(Spindle::On { speed_rev_per_min: None, rotation: None });
+    let on = Event::Function(MachineFunction::Spindle(Spindle::On { speed_rev_per_min: None, rotation: None }));
     let cut = feed([0.0, 0.0, 0.0], UP);
     // Off and on again in the start in which the tool changes, and given to a tool that never moves.
-    let again = [tool(1), spindle(), cut, Event::Stop, Event::Spindle(Spindle::Off), tool(2), on, cut];
+    let again = [
+        tool(1),
+        spindle(),
+        cut,
+        Event::Interruption(Interruption::Stop),
+        Event::Function(MachineFunction::Spindle(Spindle::Off)),
+        tool(2),
+        on,
+        cut,
+    ];
     let skipped = [tool(1), spindle(), tool(2), cut];
     for events in [&again[..], &skipped] {
         let run = run::<Xyz>(&config(), events);
         assert!(run.error().text.contains("without spindle speed"), "{}", run.text());
     }
     // Before the tool record it belongs to that tool, and the same tool keeps its own.
-    lines::<Xyz>(&config(), &[tool(1), spindle(), cut, Event::Stop, spindle(), tool(2), cut]);
+    lines::<Xyz>(
+        &config(),
+        &[tool(1), spindle(), cut, Event::Interruption(Interruption::Stop), spindle(), tool(2), cut],
+    );
     lines::<Xyz>(&config(), &[tool(1), spindle(), tool(1), cut]);
 }
 
@@ -257,7 +293,13 @@ fn a_linear_axis_that_f_does_not_count_along_is_fed_in_inverse_time() {
 #[test]
 fn a_spindle_that_is_off_stops_before_the_next_rapid_and_refuses_the_next_feed() {
     let off = |next| {
-        let events = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), Event::Spindle(Spindle::Off), next];
+        let events = [
+            tool(1),
+            spindle(),
+            feed([0.0, 0.0, 0.0], UP),
+            Event::Function(MachineFunction::Spindle(Spindle::Off)),
+            next,
+        ];
         run::<Xyz>(&config(), &events)
     };
     let rapid = off(rapid([5.0, 0.0, 50.0], UP)).lines;
@@ -268,7 +310,10 @@ fn a_spindle_that_is_off_stops_before_the_next_rapid_and_refuses_the_next_feed()
 
 #[test]
 fn nc_text_and_codes_leave_nothing_in_force() {
-    for (event, block) in [(Event::Insert(b"G0 X5"), "G0 X5"), (Event::Code { letter: b'M', number: 10 }, "M10")] {
+    for (event, block) in [
+        (Event::Interruption(Interruption::Insert(b"G0 X5")), "G0 X5"),
+        (Event::Interruption(Interruption::Code { letter: b'M', number: 10 }), "M10"),
+    ] {
         let events = [tool(1), spindle(), feed([0.0; 3], UP), event, feed([0.0, 0.0, 1.0], UP)];
         let lines = lines::<Cb>(&config(), &events);
         let at = lines.iter().position(|line| line == block).expect("as it stands");
@@ -280,7 +325,7 @@ fn nc_text_and_codes_leave_nothing_in_force() {
 #[test]
 fn nc_text_that_is_not_ascii_is_refused() {
     for text in [&b"G0 X\xff"[..], b"G0\tX1", b""] {
-        let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Insert(text)];
+        let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Interruption(Interruption::Insert(text))];
         assert!(run::<Cb>(&config(), &events).error().text.contains("not ASCII"));
     }
 }
@@ -289,7 +334,9 @@ fn nc_text_that_is_not_ascii_is_refused() {
 fn cutter_compensation_is_refused_without_compensation_path() {
     let before = [tool(1), spindle(), feed([0.0; 3], UP)];
     let with = |event: Event<'static>| run::<Cb>(&config(), &[&before[..], &[event]].concat());
-    let asked = |side| with(Event::Compensation(Compensation { side, register: None, in_xy_plane: true }));
+    let asked = |side| {
+        with(Event::Function(MachineFunction::Compensation(Compensation { side, register: None, in_xy_plane: true })))
+    };
     let refused = asked(CutterSide::Left);
     assert!(refused.error().text.contains("CUTCOM"));
     assert!(refused.error().help.as_ref().is_some_and(|help| help.contains("[compensation] path")));
@@ -301,18 +348,25 @@ fn a_wait_is_written_in_seconds() {
     let wait = |dwell| {
         lines::<Cb>(
             &config(),
-            &[tool(1), spindle(), feed([0.0; 3], UP), Event::Delay(dwell), feed([1.0, 0.0, 0.0], UP)],
+            &[
+                tool(1),
+                spindle(),
+                feed([0.0; 3], UP),
+                Event::Function(MachineFunction::Delay(dwell)),
+                feed([1.0, 0.0, 0.0], UP),
+            ],
         )
     };
     assert!(wait(Dwell::Seconds(2.5)).contains(&"G4 P2.5".to_owned()));
     assert!(wait(Dwell::Revolutions(400.0)).contains(&"G4 P3".to_owned()), "400 turns at 8000/min");
-    let still = [tool(1), Event::Delay(Dwell::Revolutions(2.0))];
+    let still = [tool(1), Event::Function(MachineFunction::Delay(Dwell::Revolutions(2.0)))];
     assert!(run::<Cb>(&config(), &still).error().text.contains("while the spindle is off"));
 }
 
 #[test]
 fn each_set_up_has_its_own_work_offset() {
-    let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::SetUp(2), feed([1.0, 0.0, 0.0], UP)];
+    let events =
+        [tool(1), spindle(), feed([0.0; 3], UP), Event::NewStart(NewStart::SetUp(2)), feed([1.0, 0.0, 0.0], UP)];
     assert!(run::<Xyz>(&config(), &events).error().text.contains("set-up 2 is not configured"));
     let mut config = config();
     let further = FurtherSetUp { work_offset: Some("G55".to_owned()), ..FurtherSetUp::default() };
@@ -322,7 +376,7 @@ fn each_set_up_has_its_own_work_offset() {
     assert!(safety[0].contains("G54") && safety[1].contains("G55"), "{safety:?}");
     // The clearance plane ends with its frame: in the other frame it would be another plane.
     let plane = ClearancePlane { normal: Vector3::z_axis(), distance_mm: 80.0 };
-    let mut above = vec![Event::ClearancePlane(plane)];
+    let mut above = vec![Event::Reference(ReferenceGeometry::ClearancePlane(plane))];
     above.extend(events);
     above.extend([tool(2), feed([1.0, 0.0, 0.0], UP)]);
     let run = run::<Xyz>(&config, &above);
@@ -331,7 +385,7 @@ fn each_set_up_has_its_own_work_offset() {
 
 #[test]
 fn another_machine_in_the_cl_data_is_remarked_on() {
-    let events = [Event::MachineName(b"UNCX01"), tool(1), spindle(), feed([0.0; 3], UP)];
+    let events = [Event::Text(TextKind::MachineName, b"UNCX01"), tool(1), spindle(), feed([0.0; 3], UP)];
     let run = run::<Cb>(&config(), &events);
     assert!(run.diagnostics[0].text.contains("made for the machine `UNCX01`"), "{:?}", run.diagnostics);
 }
@@ -339,7 +393,13 @@ fn another_machine_in_the_cl_data_is_remarked_on() {
 #[test]
 fn the_posted_length_is_guarded_where_it_matters() {
     let guards = |run: &Run| run.lines.iter().filter(|line| line.contains("#5403")).count();
-    let events = [tool(1), spindle(), feed([0.0, 0.0, -80.0], UP), Event::Stop, feed([9.0, 0.0, -80.0], UP)];
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0, 0.0, -80.0], UP),
+        Event::Interruption(Interruption::Stop),
+        feed([9.0, 0.0, -80.0], UP),
+    ];
     let mut config = with_lengths(Some(9.0));
     let head = run::<Head>(&config, &events);
     let at = head.lines.iter().position(|line| line == "G43 H1").expect("a length offset");
@@ -360,9 +420,9 @@ fn in_a_dry_run_spindle_and_coolant_stay_off() {
     let events = [
         tool(1),
         spindle(),
-        Event::Coolant(Coolant::Flood),
+        Event::Function(MachineFunction::Coolant(Coolant::Flood)),
         feed([0.0, 0.0, -5.0], UP),
-        Event::Spindle(Spindle::On { speed_rev_per_min: Some(900.0), rotation: None }),
+        Event::Function(MachineFunction::Spindle(Spindle::On { speed_rev_per_min: Some(900.0), rotation: None })),
         feed([9.0, 0.0, -5.0], UP),
     ];
     let mut config = config();
@@ -373,6 +433,7 @@ fn in_a_dry_run_spindle_and_coolant_stay_off() {
     for code in ["M3", "M4", "M8", "M7", "G4 P"] {
         assert!(!lines.iter().any(|line| line.contains(code)), "{code} in {lines:?}");
     }
-    let raw = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP), Event::Insert(b"M3")]);
+    let raw =
+        run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP), Event::Interruption(Interruption::Insert(b"M3"))]);
     assert!(raw.error().text.contains("a dry run writes no NC text"), "{}", raw.error().text);
 }

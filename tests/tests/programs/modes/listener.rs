@@ -7,7 +7,7 @@ use pp_runtime::config::{Config, Units};
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{AxisKind, Machine};
 use pp_runtime::motion::{FeedWord, Navigator, Planner, PlanningError, Provenance, Sink, Source, Stage, Step};
-use pp_runtime::program::{Event, Location};
+use pp_runtime::program::{Event, Location, ToolMotion};
 
 /// Words of the axes in force, and the frame in which the control interprets them.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -156,7 +156,7 @@ pub(crate) fn posted<M: Machine>(
     let last = Location { line: events.len() as u64 + 1, column: 1 };
     planner.finish(last).map_err(fault)?;
     let listener = planner.sink();
-    let moves = events.iter().zip(1..).filter(|(event, _)| matches!(event, Event::Move(_)));
+    let moves = events.iter().zip(1..).filter(|(event, _)| matches!(event, Event::Motion(ToolMotion::Move(_))));
     let all = moves.map(|(_, line)| listener.state_after(line)).collect();
     let framed = listener.state.plane.is_some() || listener.state.start.is_some();
     assert!(!framed, "the program ends with the frame off");

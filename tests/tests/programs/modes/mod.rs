@@ -14,7 +14,7 @@ use pp_runtime::config::{Config, Mode, TcpFrame, TcpWords, ToolPosture, starting
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use pp_runtime::machine;
-use pp_runtime::program::{Event, Feed, Move, Rotation, Spindle, ToolCall};
+use pp_runtime::program::{Event, Feed, MachineFunction, Move, NewStart, Rotation, Spindle, ToolCall, ToolMotion};
 use tests::block::{angle_to_arc, distance_to_line};
 use tests::by_name;
 use tests::further::{HeadTable, Trunnion};
@@ -61,7 +61,7 @@ const REFUSED: [&str; 7] = [
 
 fn moves<'e>(events: &'e [Event<'_>]) -> Vec<&'e Move> {
     let motion = |event: &'e Event<'_>| match event {
-        Event::Move(motion) => Some(motion),
+        Event::Motion(ToolMotion::Move(motion)) => Some(motion),
         _ => None,
     };
     events.iter().filter_map(motion).collect()
@@ -216,8 +216,11 @@ fn one_rotary_in_the_table_and_one_in_the_head() {
 /// CAM writes them.
 fn operations_at_round_angles<M: Machine>(machine: &M) -> Vec<Event<'static>> {
     let mut events = vec![
-        Event::Tool(ToolCall { number: 1, length_mm: Some(LENGTH), ..ToolCall::default() }),
-        Event::Spindle(Spindle::On { speed_rev_per_min: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
+        Event::NewStart(NewStart::Tool(ToolCall { number: 1, length_mm: Some(LENGTH), ..ToolCall::default() })),
+        Event::Function(MachineFunction::Spindle(Spindle::On {
+            speed_rev_per_min: Some(9000.0),
+            rotation: Some(Rotation::Clockwise),
+        })),
     ];
     let rotaries: Vec<usize> =
         (0..M::AXES.len()).filter(|index| M::AXES[*index].kind == AxisKind::Rotary && !M::AXES[*index].held).collect();
@@ -226,11 +229,11 @@ fn operations_at_round_angles<M: Machine>(machine: &M) -> Vec<Event<'static>> {
         values[rotaries[0]] = f64::from(10 * (step % 8)).to_radians();
         values[rotaries[1]] = f64::from(10 * (step / 8)).to_radians();
         let axis = Oracle::of(machine).forward(&values).axis.map(|part| (part * 1e9).round() / 1e9);
-        events.push(Event::Operation(b"OPERATION"));
+        events.push(Event::NewStart(NewStart::Operation(b"OPERATION")));
         for rapid in [true, false] {
             let tip = Point3::new(10.0, 20.0, if rapid { 30.0 } else { 5.0 });
             let pose = Pose { tip, axis: UnitVector3::new_normalize(axis) };
-            events.push(Event::Move(Move { pose, rapid, feed: Some(Feed::PerMinute(750.0)) }));
+            events.push(Event::Motion(ToolMotion::Move(Move { pose, rapid, feed: Some(Feed::PerMinute(750.0)) })));
         }
     }
     events
@@ -259,11 +262,14 @@ fn through_the_pole() -> Vec<Event<'static>> {
     let motion = |(index, [i, j]): (usize, [f64; 2])| {
         let axis = UnitVector3::new_normalize(Vector3::new(i, j, 1.0));
         let pose = Pose { tip: Point3::new(0.0, 5.0 * index as f64, 10.0), axis };
-        Event::Move(Move { pose, rapid: index == 0, feed: Some(Feed::PerMinute(750.0)) })
+        Event::Motion(ToolMotion::Move(Move { pose, rapid: index == 0, feed: Some(Feed::PerMinute(750.0)) }))
     };
     let mut events = vec![
-        Event::Tool(ToolCall { number: 1, length_mm: Some(LENGTH), ..ToolCall::default() }),
-        Event::Spindle(Spindle::On { speed_rev_per_min: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
+        Event::NewStart(NewStart::Tool(ToolCall { number: 1, length_mm: Some(LENGTH), ..ToolCall::default() })),
+        Event::Function(MachineFunction::Spindle(Spindle::On {
+            speed_rev_per_min: Some(9000.0),
+            rotation: Some(Rotation::Clockwise),
+        })),
     ];
     events.extend(axes.into_iter().enumerate().map(motion));
     events

@@ -4,7 +4,7 @@ use nalgebra::{Point3, UnitVector3};
 use pp_runtime::config::{Config, GivenTool, Mode, TcpFrame, starting_point};
 use pp_runtime::control::Control;
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
-use pp_runtime::program::{Event, Feed, Move, Rotation, Spindle, ToolCall};
+use pp_runtime::program::{Event, Feed, MachineFunction, Move, NewStart, Rotation, Spindle, ToolCall, ToolMotion};
 use tests::oracle::Oracle;
 use tests::random::Random;
 
@@ -13,11 +13,14 @@ use super::LENGTH;
 /// Operations, each with its own tool axis, and cuts in which the axis changes unless `hold` is set.
 pub(crate) fn events<M: Machine>(machine: &M, random: &mut Random, hold: bool) -> Vec<Event<'static>> {
     let mut events = vec![
-        Event::Tool(ToolCall { number: 1, length_mm: Some(LENGTH), ..ToolCall::default() }),
-        Event::Spindle(Spindle::On { speed_rev_per_min: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
+        Event::NewStart(NewStart::Tool(ToolCall { number: 1, length_mm: Some(LENGTH), ..ToolCall::default() })),
+        Event::Function(MachineFunction::Spindle(Spindle::On {
+            speed_rev_per_min: Some(9000.0),
+            rotation: Some(Rotation::Clockwise),
+        })),
     ];
     for _ in 0..6 {
-        events.push(Event::Operation(b"OPERATION"));
+        events.push(Event::NewStart(NewStart::Operation(b"OPERATION")));
         let axis = |random: &mut Random| {
             let values: Vec<f64> = M::AXES
                 .iter()
@@ -38,7 +41,11 @@ pub(crate) fn events<M: Machine>(machine: &M, random: &mut Random, hold: bool) -
             let within = machine.reach(&UnitVector3::new_normalize(tilted), &M::HELD).is_ok();
             let axis = if hold || point == 0 || !within { start } else { UnitVector3::new_normalize(tilted) };
             let pose = Pose { tip, axis };
-            events.push(Event::Move(Move { pose, rapid: point == 0, feed: Some(Feed::PerMinute(750.0)) }));
+            events.push(Event::Motion(ToolMotion::Move(Move {
+                pose,
+                rapid: point == 0,
+                feed: Some(Feed::PerMinute(750.0)),
+            })));
         }
     }
     events

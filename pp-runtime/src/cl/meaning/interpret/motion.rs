@@ -15,7 +15,7 @@ use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::within_a_kilometre;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, Vector3};
-use crate::program::{Arc, Event, Hole, Location, Move};
+use crate::program::{Arc, Event, Hole, Location, Move, NewStart, ReferenceGeometry, ToolMotion};
 use crate::set_up::ClPoint;
 
 impl RecordInterpreter {
@@ -87,12 +87,12 @@ impl RecordInterpreter {
         self.votes.conclude_arc(None);
         if !self.options.from_move {
             let pose = self.tip(pose, point.at)?;
-            self.emit(here, Event::From(pose));
+            self.emit(here, Event::Reference(ReferenceGeometry::From(pose)));
             return Ok(());
         }
         self.path.count_motion();
         let pose = self.tip(pose, point.at)?;
-        self.emit(here, Event::Move(Move { pose, rapid: true, feed: self.path.feed() }));
+        self.emit(here, Event::Motion(ToolMotion::Move(Move { pose, rapid: true, feed: self.path.feed() })));
         Ok(())
     }
 
@@ -100,7 +100,7 @@ impl RecordInterpreter {
     fn go_to(&mut self, point: &Point, here: Location) -> Result<(), ClFault> {
         if self.plain_goto {
             let motion = self.straight(point, here)?;
-            self.emit(here, Event::Move(motion));
+            self.emit(here, Event::Motion(ToolMotion::Move(motion)));
             return Ok(());
         }
         let pose = self.pose(point, here)?;
@@ -123,7 +123,7 @@ impl RecordInterpreter {
         self.compare_cutter(at);
         if let Some(circle) = self.arc.circle() {
             let arc = self.arc_to(&circle, pose, at, here)?;
-            self.emit(here, Event::Arc(arc));
+            self.emit(here, Event::Motion(ToolMotion::Arc(arc)));
             return Ok(());
         }
         if self.cycle.is_active() {
@@ -132,7 +132,7 @@ impl RecordInterpreter {
         self.votes.conclude_arc(self.path.line_to(pose.tip));
         let rapid = self.path.move_to(pose);
         let pose = self.tip(pose, at)?;
-        self.emit(here, Event::Move(Move { pose, rapid, feed: self.path.feed() }));
+        self.emit(here, Event::Motion(ToolMotion::Move(Move { pose, rapid, feed: self.path.feed() })));
         self.update_plain_goto();
         Ok(())
     }
@@ -245,15 +245,15 @@ impl RecordInterpreter {
         self.votes.conclude_arc(None);
         let Some(point) = point else {
             self.path.forget_position();
-            self.emit(here, Event::Home);
+            self.emit(here, Event::NewStart(NewStart::Home));
             return Ok(());
         };
         let pose = self.pose(point, here)?;
         self.path.count_motion();
         self.path.set_here(pose);
         let pose = self.tip(pose, point.at)?;
-        self.emit(here, Event::SafeSequence);
-        self.emit(here, Event::Move(Move { pose, rapid: true, feed: self.path.feed() }));
+        self.emit(here, Event::NewStart(NewStart::SafeSequence));
+        self.emit(here, Event::Motion(ToolMotion::Move(Move { pose, rapid: true, feed: self.path.feed() })));
         Ok(())
     }
 
@@ -368,7 +368,7 @@ impl RecordInterpreter {
         self.votes.conclude_arc(None);
         self.path.set_here(arc.end);
         self.take_tip(&mut arc, at)?;
-        self.emit(here, Event::Arc(arc));
+        self.emit(here, Event::Motion(ToolMotion::Arc(arc)));
         Ok(())
     }
 
@@ -497,7 +497,7 @@ impl RecordInterpreter {
         let feed = cycle.feed.or(self.path.feed());
         self.emit(
             here,
-            Event::Hole(Hole {
+            Event::Motion(ToolMotion::Hole(Hole {
                 top,
                 depth_mm: depth,
                 clearance_mm: clearance,
@@ -505,7 +505,7 @@ impl RecordInterpreter {
                 drilling: cycle.drilling,
                 feed,
                 dwell: cycle.dwell,
-            }),
+            })),
         );
         Ok(())
     }

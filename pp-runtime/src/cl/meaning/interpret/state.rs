@@ -10,7 +10,10 @@ use crate::cl::record::{
     AxisPlane, CoordinateRecord, CutterRecord, FrameRecord, MachineRecord, ToolCallRecord, ToolRecord,
 };
 use crate::cl::text::{ClFault, Span};
-use crate::program::{Compensation, CutterSide, Dwell, Event, Location, Units};
+use crate::program::{
+    Compensation, CutterSide, Dwell, Event, Interruption, Location, MachineFunction, NewStart, ReferenceGeometry,
+    TextKind, Units,
+};
 
 /// Longest dwell that is not warned of, seconds.
 const LONG_DELAY_S: f64 = 10.0;
@@ -47,7 +50,7 @@ impl RecordInterpreter {
                 let unit_mm = self.units.millimetres(at)?;
                 let plane = self.coordinates.plane(normal, distance, unit_mm, at)?;
                 self.path.set_clearance(plane);
-                self.emit(here, Event::ClearancePlane(plane));
+                self.emit(here, Event::Reference(ReferenceGeometry::ClearancePlane(plane)));
             }
         }
         Ok(())
@@ -89,7 +92,7 @@ impl RecordInterpreter {
             FrameChange::Mapped => {
                 self.begin_operation();
                 self.coordinates.map_frame();
-                self.emit(here, Event::SafeSequence);
+                self.emit(here, Event::NewStart(NewStart::SafeSequence));
             }
             FrameChange::SetUp(number) => self.change_set_up(number, here),
         }
@@ -101,10 +104,10 @@ impl RecordInterpreter {
         self.begin_operation();
         self.coordinates.map_frame();
         self.path.change_frame();
-        self.emit(here, Event::Home);
-        self.emit(here, Event::Message(b"NEXT SET-UP: CLAMP THE PART AGAIN, THEN START"));
-        self.emit(here, Event::Stop);
-        self.emit(here, Event::SetUp(number));
+        self.emit(here, Event::NewStart(NewStart::Home));
+        self.emit(here, Event::Text(TextKind::Message, b"NEXT SET-UP: CLAMP THE PART AGAIN, THEN START"));
+        self.emit(here, Event::Interruption(Interruption::Stop));
+        self.emit(here, Event::NewStart(NewStart::SetUp(number)));
     }
 
     /// CSYS of SolidWorks CAM.
@@ -114,7 +117,7 @@ impl RecordInterpreter {
         if self.coordinates.take_set_up(frame) {
             // The tool axis may change: retract from the part first.
             self.begin_operation();
-            self.emit(here, Event::SafeSequence);
+            self.emit(here, Event::NewStart(NewStart::SafeSequence));
         }
         self.axis.state_of_set_up(frame.axes[2], record.at, here)?;
         self.coordinates.hold_axis(frame.axes[2]);
@@ -128,7 +131,7 @@ impl RecordInterpreter {
     pub(crate) fn take_tool(&mut self, record: &ToolRecord, here: Location) -> Result<(), ClFault> {
         match record {
             ToolRecord::Call(tool) => self.call_tool(tool, here)?,
-            ToolRecord::Preselect(number) => self.emit(here, Event::Preselect(*number)),
+            ToolRecord::Preselect(number) => self.emit(here, Event::Function(MachineFunction::Preselect(*number))),
             ToolRecord::Cutter(cutter) => {
                 let cutter = self.cutter_in_millimetres(cutter)?;
                 match self.dialect() {
@@ -189,8 +192,8 @@ impl RecordInterpreter {
                 self.path.set_feed(feed);
             }
             MachineRecord::InverseTime(on) => self.inverse_time |= on,
-            MachineRecord::Spindle(spindle) => self.emit(here, Event::Spindle(spindle)),
-            MachineRecord::Coolant(coolant) => self.emit(here, Event::Coolant(coolant)),
+            MachineRecord::Spindle(spindle) => self.emit(here, Event::Function(MachineFunction::Spindle(spindle))),
+            MachineRecord::Coolant(coolant) => self.emit(here, Event::Function(MachineFunction::Coolant(coolant))),
             MachineRecord::CoolantAt { kind, pressure, at } => {
                 self.events.warn(ClFault::new(
                     "coolant pressure",
@@ -201,7 +204,7 @@ impl RecordInterpreter {
                     ),
                     "where the machine has another code, `[control] coolant` sets it for all coolant of this kind",
                 ));
-                self.emit(here, Event::Coolant(kind));
+                self.emit(here, Event::Function(MachineFunction::Coolant(kind)));
             }
             MachineRecord::Compensation { side, register, plane } => {
                 let register = match (side, self.cutcom) {
@@ -218,11 +221,16 @@ impl RecordInterpreter {
                     CutterSide::On | CutterSide::Off => {}
                 }
                 let xy = plane.is_none_or(|plane| plane == AxisPlane::Xy);
-                self.emit(here, Event::Compensation(Compensation { side, register, in_xy_plane: xy }));
+                self.emit(
+                    here,
+                    Event::Function(MachineFunction::Compensation(Compensation { side, register, in_xy_plane: xy })),
+                );
             }
             MachineRecord::Delay { dwell, at } => self.delay(dwell, at, here),
             MachineRecord::Tolerance { value, at } => self.take_tolerance(value, at, here)?,
-            MachineRecord::RotaryDirection(turning) => self.emit(here, Event::RotaryDirection(turning)),
+            MachineRecord::RotaryDirection(turning) => {
+                self.emit(here, Event::Function(MachineFunction::RotaryDirection(turning)))
+            }
         }
         Ok(())
     }
@@ -238,7 +246,7 @@ impl RecordInterpreter {
                 "DELAY is in seconds: check whether revolutions or milliseconds are meant",
             ));
         }
-        self.emit(here, Event::Delay(dwell));
+        self.emit(here, Event::Function(MachineFunction::Delay(dwell)));
     }
 
     fn take_tolerance(&mut self, value: Option<f64>, at: Span, here: Location) -> Result<(), ClFault> {
@@ -251,7 +259,7 @@ impl RecordInterpreter {
                 "LINTOL/OFF restores the configured tolerance",
             ));
         }
-        self.emit(here, Event::Tolerance(value.map(|value| value * unit_mm)));
+        self.emit(here, Event::Function(MachineFunction::Tolerance(value.map(|value| value * unit_mm))));
         Ok(())
     }
 }

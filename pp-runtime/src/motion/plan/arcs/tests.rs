@@ -13,7 +13,7 @@ use crate::motion::tests::{Run, config, feed, run, spindle, tool};
 use crate::motion::tolerances::WHOLE_REVOLUTIONS;
 use crate::motion::{ArcForm, ArcOutput};
 use crate::nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
-use crate::program::{Arc, Event, Feed};
+use crate::program::{Arc, Event, Feed, ToolMotion};
 use crate::set_up::GivenTool;
 
 #[test]
@@ -180,14 +180,14 @@ impl CircleCase {
     fn event(&self) -> Event<'static> {
         let pose = |part: f64| Pose { tip: self.tip(part), axis: self.axis };
         let Self { centre, normal, angle, .. } = *self;
-        Event::Arc(Arc {
+        Event::Motion(ToolMotion::Arc(Arc {
             start: pose(0.0),
             end: pose(1.0),
             centre,
             normal,
             angle_rad: angle,
             feed: Some(Feed::PerMinute(500.0)),
-        })
+        }))
     }
 
     fn events(&self) -> Vec<Event<'static>> {

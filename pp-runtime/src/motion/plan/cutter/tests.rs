@@ -7,7 +7,7 @@ use crate::kinematics::machines::{Cb, Mirrored, Xyz};
 use crate::motion::Mode;
 use crate::motion::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
 use crate::program::Units;
-use crate::program::{Arc, Feed};
+use crate::program::{Arc, Feed, Interruption, MachineFunction, NewStart, TextKind, ToolMotion};
 use crate::set_up::GivenTool;
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
@@ -24,19 +24,19 @@ fn set_up(path: Option<CutterPath>) -> Config {
 }
 
 fn asked(side: CutterSide) -> Event<'static> {
-    Event::Compensation(Compensation { side, register: None, in_xy_plane: true })
+    Event::Function(MachineFunction::Compensation(Compensation { side, register: None, in_xy_plane: true }))
 }
 
 /// A quarter circle about a centre, counter-clockwise.
 fn quarter(start: [f64; 3], end: [f64; 3], centre: [f64; 3]) -> Event<'static> {
-    Event::Arc(Arc {
+    Event::Motion(ToolMotion::Arc(Arc {
         start: pose(start, UP),
         end: pose(end, UP),
         centre: centre.into(),
         normal: nalgebra::UnitVector3::new_normalize(UP.into()),
         angle_rad: std::f64::consts::FRAC_PI_2,
         feed: Some(Feed::PerMinute(500.0)),
-    })
+    }))
 }
 
 /// A program that comes down to X0 Y-20, followed by these events.
@@ -123,7 +123,11 @@ fn each_control_has_its_own_words_and_register() {
 
 #[test]
 fn on_takes_the_side_and_the_register_that_were_given_last() {
-    let left = Event::Compensation(Compensation { side: CutterSide::Left, register: Some(7), in_xy_plane: true });
+    let left = Event::Function(MachineFunction::Compensation(Compensation {
+        side: CutterSide::Left,
+        register: Some(7),
+        in_xy_plane: true,
+    }));
     let events = from_below(&[
         left,
         feed([0.0, 0.0, 0.0], UP),
@@ -177,12 +181,12 @@ fn records_that_interrupt_the_look_ahead_are_refused() {
         (feed([0.0, 9.0, 5.0], UP), "leaves its plane"),
         (quarter([0.0; 3], [10.0, 10.0, 2.0], [0.0, 10.0, 0.0]), "an arc leaves its plane"),
         (asked(CutterSide::Right), "the other side"),
-        (Event::Stop, "the program stops"),
-        (Event::Home, "GOHOME follows"),
-        (Event::Insert(b"M64"), "NC text"),
+        (Event::Interruption(Interruption::Stop), "the program stops"),
+        (Event::NewStart(NewStart::Home), "GOHOME follows"),
+        (Event::Interruption(Interruption::Insert(b"M64")), "NC text"),
         (tool(1), "a tool is called"),
-        (Event::Operation(b"NEXT"), "another operation"),
-        (Event::Message(b"the end"), "the program ends"),
+        (Event::NewStart(NewStart::Operation(b"NEXT")), "another operation"),
+        (Event::Text(TextKind::Message, b"the end"), "the program ends"),
     ] {
         let text = on(event);
         assert!(text.contains("still active") && text.contains(why), "{event:?}: {text}");
@@ -191,7 +195,7 @@ fn records_that_interrupt_the_look_ahead_are_refused() {
     assert!(
         first(quarter([0.0, -20.0, 0.0], [10.0, -10.0, 0.0], [0.0, -10.0, 0.0])).contains("begins with a straight")
     );
-    assert!(first(Event::Message(b"the end")).contains("no straight feed motion in the plane follows"));
+    assert!(first(Event::Text(TextKind::Message, b"the end")).contains("no straight feed motion in the plane follows"));
     let last = |event| {
         let up = [asked(CutterSide::Left), feed([0.0; 3], UP), asked(CutterSide::Off), event];
         refused(&from_below(&up))
@@ -217,7 +221,11 @@ fn a_lead_in_is_longer_than_the_radius_that_d_holds() {
 
 #[test]
 fn compensation_needs_the_plane_of_x_and_y_and_no_tip_control() {
-    let other = Event::Compensation(Compensation { side: CutterSide::Left, register: None, in_xy_plane: false });
+    let other = Event::Function(MachineFunction::Compensation(Compensation {
+        side: CutterSide::Left,
+        register: None,
+        in_xy_plane: false,
+    }));
     assert!(refused(&from_below(&[other])).contains("plane of X and Y only"));
     let mut config = set_up(Some(CutterPath::Centre));
     config.motion.mode = Mode::Tcp;

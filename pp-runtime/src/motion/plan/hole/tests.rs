@@ -9,7 +9,7 @@ use crate::diag::Severity;
 use crate::kinematics::machines::{Cb, Head, Xyz};
 use crate::motion::Provenance;
 use crate::motion::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
-use crate::program::{Dwell, Event};
+use crate::program::{Dwell, Event, ToolMotion};
 use crate::set_up::GivenTool;
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
@@ -24,7 +24,7 @@ fn set_up(output: CycleOutput) -> Config {
 
 fn hole(top: [f64; 3], drilling: Drilling, back_to: f64, dwell: Option<Dwell>) -> Event<'static> {
     let feed = Some(Programmed::PerMinute(100.0));
-    Event::Hole(Hole {
+    Event::Motion(ToolMotion::Hole(Hole {
         top: pose(top, UP),
         depth_mm: 5.0,
         clearance_mm: 2.0,
@@ -32,7 +32,7 @@ fn hole(top: [f64; 3], drilling: Drilling, back_to: f64, dwell: Option<Dwell>) -
         drilling,
         feed,
         dwell,
-    })
+    }))
 }
 
 /// A program that begins with a cut to a point, followed by holes.
@@ -170,7 +170,8 @@ fn on_a_head_only_holes_along_z_are_cycles() {
         let feed = Some(Programmed::PerMinute(100.0));
         let (depth, clearance, drilling) = (5.0, 2.0, Drilling::Drill);
         let hole = Hole { top, depth_mm: depth, clearance_mm: clearance, return_mm: 2.0, drilling, feed, dwell: None };
-        let run = run::<Head>(&set_up(CycleOutput::Native), &[tool(1), spindle(), Event::Hole(hole)]);
+        let run =
+            run::<Head>(&set_up(CycleOutput::Native), &[tool(1), spindle(), Event::Motion(ToolMotion::Hole(hole))]);
         assert_eq!(run.diagnostics, []);
         run.statistics.cycles
     };
@@ -255,7 +256,7 @@ fn any_hole() -> impl Strategy<Value = Event<'static>> {
         |(x, y, z, clearance, above, drilling, dwell)| {
             let feed = Some(Programmed::PerMinute(100.0));
             let top = pose([x, y, z], UP);
-            Event::Hole(Hole {
+            Event::Motion(ToolMotion::Hole(Hole {
                 top,
                 depth_mm: 4.0,
                 clearance_mm: clearance,
@@ -263,7 +264,7 @@ fn any_hole() -> impl Strategy<Value = Event<'static>> {
                 drilling,
                 feed,
                 dwell,
-            })
+            }))
         },
     )
 }
@@ -435,7 +436,7 @@ proptest! {
         };
         let (native, expanded) = (posted(CycleOutput::Native), posted(CycleOutput::Expanded));
         prop_assert_eq!((&native.0, &native.2), (&expanded.0, &expanded.2));
-        prop_assert!(native.1 > 0 || holes.iter().all(|hole| matches!(hole, Event::Hole(hole) if hole.drilling == Drilling::Ream)));
+        prop_assert!(native.1 > 0 || holes.iter().all(|hole| matches!(hole, Event::Motion(ToolMotion::Hole(hole)) if hole.drilling == Drilling::Ream)));
         prop_assert_eq!(expanded.1, 0);
     }
 
@@ -448,7 +449,7 @@ proptest! {
         for control in CONTROLS {
             let programs_gap = crate::control::abilities(*control, set_up(CycleOutput::Native).demands()).cycles.programs_gap;
             let holes: Vec<Event<'static>> = holes.iter().map(|(event, drilling)| match *event {
-                Event::Hole(hole) if programs_gap => Event::Hole(Hole { drilling: *drilling, ..hole }),
+                Event::Motion(ToolMotion::Hole(hole)) if programs_gap => Event::Motion(ToolMotion::Hole(Hole { drilling: *drilling, ..hole })),
                 event => event,
             }).collect();
             let events = after_cut(start.map(f64::from), &holes);
@@ -456,7 +457,7 @@ proptest! {
             let (expanded, none) = path(*control, CycleOutput::Expanded, &events);
             prop_assert_eq!(native, expanded, "{}", control.spellings().name);
             prop_assert!(none.is_empty());
-            let plain = |event: &Event<'_>| matches!(event, Event::Hole(hole) if hole.drilling == Drilling::Drill);
+            let plain = |event: &Event<'_>| matches!(event, Event::Motion(ToolMotion::Hole(hole)) if hole.drilling == Drilling::Drill);
             prop_assert!(!cycles.is_empty() || !holes.iter().any(plain));
         }
     }
