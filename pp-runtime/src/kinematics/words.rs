@@ -119,56 +119,56 @@ impl<M: Machine> Words for M {
 ///
 /// The words are axis values; the zero of the written words is applied when they are written.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rotary {
+pub(crate) struct Rotary {
     /// Position in the chain.
-    pub index: usize,
+    pub(crate) index: usize,
     /// Smallest word, inclusive; `None` for an endless axis.
-    pub lower: Option<i64>,
+    pub(crate) lower: Option<i64>,
     /// Largest word, inclusive; `None` for an endless axis.
-    pub upper: Option<i64>,
+    pub(crate) upper: Option<i64>,
     /// Axis value at word 0: the part of a rotary offset that is smaller than one unit.
-    pub rest_deg: f64,
+    pub(crate) rest_deg: f64,
 }
 
 /// A rotary axis that is outside its limits in every whole turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OutOfLimits {
+pub(crate) struct OutOfLimits {
     /// The axis.
-    pub rotary: Rotary,
+    pub(crate) rotary: Rotary,
     /// Its word nearest to the previous one, outside the limits.
-    pub word: i64,
+    pub(crate) word: i64,
 }
 
 /// Resolution of rotary words.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AngleScale {
+pub(crate) struct AngleScale {
     /// Units in one degree.
-    pub units_per_degree: f64,
+    pub(crate) units_per_degree: f64,
     /// Units in one revolution.
-    pub units_per_turn: i64,
+    pub(crate) units_per_turn: i64,
 }
 
 impl AngleScale {
-    pub fn new(decimals: u32) -> Self {
+    pub(crate) fn new(decimals: u32) -> Self {
         let units_per_degree = 10_i64.pow(decimals);
         Self { units_per_degree: units_per_degree as f64, units_per_turn: 360 * units_per_degree }
     }
 
     /// The word nearest to an angle, rad.
     #[inline(always)]
-    pub fn word(self, angle_rad: f64) -> i64 {
+    pub(crate) fn word(self, angle_rad: f64) -> i64 {
         rounded(angle_rad.to_degrees() * self.units_per_degree)
     }
 
     /// Angle of a word or of a difference of words, rad.
     #[inline(always)]
-    pub fn angle(self, word: i64) -> f64 {
+    pub(crate) fn angle(self, word: i64) -> f64 {
         self.degrees(word).to_radians()
     }
 
     /// Angle of a word or of a difference of words, degrees.
     #[inline(always)]
-    pub fn degrees(self, word: i64) -> f64 {
+    pub(crate) fn degrees(self, word: i64) -> f64 {
         word as f64 / self.units_per_degree
     }
 }
@@ -176,18 +176,18 @@ impl AngleScale {
 impl Rotary {
     /// The word nearest to an axis value, rad.
     #[inline(always)]
-    pub fn word(self, angle_rad: f64, scale: AngleScale) -> i64 {
+    pub(crate) fn word(self, angle_rad: f64, scale: AngleScale) -> i64 {
         rounded((angle_rad.to_degrees() - self.rest_deg) * scale.units_per_degree)
     }
 
     /// Axis value of a word, rad.
     #[inline(always)]
-    pub fn angle(self, word: i64, scale: AngleScale) -> f64 {
+    pub(crate) fn angle(self, word: i64, scale: AngleScale) -> f64 {
         self.degrees(word, scale).to_radians()
     }
 
     /// Axis value of a word for messages, degrees.
-    pub fn degrees_for_display(self, word: i64, scale: AngleScale) -> f64 {
+    pub(crate) fn degrees_for_display(self, word: i64, scale: AngleScale) -> f64 {
         (self.degrees(word, scale) * 1e9).round() / 1e9
     }
 
@@ -197,39 +197,39 @@ impl Rotary {
     }
 
     /// Whether the axis has no limits, so that any whole turn is allowed.
-    pub fn endless(self) -> bool {
+    pub(crate) fn endless(self) -> bool {
         self.lower.is_none() || self.upper.is_none()
     }
 
     /// The same axis without its limits.
-    pub fn without_limits(self) -> Self {
+    pub(crate) fn without_limits(self) -> Self {
         Self { lower: None, upper: None, ..self }
     }
 
     /// Whether a word is inside the limits.
-    pub fn contains(&self, word: i64) -> bool {
+    pub(crate) fn contains(&self, word: i64) -> bool {
         self.lower.is_none_or(|lower| word >= lower) && self.upper.is_none_or(|upper| word <= upper)
     }
 
     /// Smallest word; 0 for an endless axis.
-    pub fn lower_end(self) -> i64 {
+    pub(crate) fn lower_end(self) -> i64 {
         self.lower.unwrap_or_default()
     }
 
     /// Largest word; 0 for an endless axis.
-    pub fn upper_end(self) -> i64 {
+    pub(crate) fn upper_end(self) -> i64 {
         self.upper.unwrap_or_default()
     }
 
     /// The word inside the limits that is nearest to this one; not only by whole turns.
-    pub fn clamped(self, word: i64) -> i64 {
+    pub(crate) fn clamped(self, word: i64) -> i64 {
         let word = self.upper.map_or(word, |upper| word.min(upper));
         self.lower.map_or(word, |lower| word.max(lower))
     }
 
     /// Words inside the limits that equal `word` modulo one revolution, nearest to zero first, at most `most` of them;
     /// for an endless axis only the one nearest to zero. `turn`: units in one revolution.
-    pub fn turns(self, word: i64, turn: i64, most: i64) -> impl Iterator<Item = i64> {
+    pub(crate) fn turns(self, word: i64, turn: i64, most: i64) -> impl Iterator<Item = i64> {
         let nearest = self.without_limits().nearest(word, 0, turn).unwrap_or(word);
         // Beyond the farthest turn inside the limits there is none.
         let farthest = match (self.lower, self.upper) {
@@ -245,13 +245,13 @@ impl Rotary {
     }
 
     /// Whether at most one word of a revolution is inside the limits, or taken: of an endless axis the one nearest to zero.
-    pub fn has_one_turn(self, turn: i64) -> bool {
+    pub(crate) fn has_one_turn(self, turn: i64) -> bool {
         self.lower.zip(self.upper).is_none_or(|(lower, upper)| upper - lower < turn)
     }
 
     /// The only one of [`turns`](Self::turns), where [`has_one_turn`](Self::has_one_turn); `None` if it is outside.
     #[inline]
-    pub fn only_turn(self, word: i64, turn: i64) -> Option<i64> {
+    pub(crate) fn only_turn(self, word: i64, turn: i64) -> Option<i64> {
         match self.lower.zip(self.upper) {
             Some((lower, upper)) => Some(lower + (word - lower).rem_euclid(turn)).filter(|word| *word <= upper),
             None => {
@@ -264,7 +264,7 @@ impl Rotary {
     /// The word inside the limits that equals `word` modulo one revolution and is nearest to `previous`; at equal
     /// distance the one of smaller absolute value, then the positive one. `turn`: units in one revolution.
     #[inline]
-    pub fn nearest(&self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {
+    pub(crate) fn nearest(&self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {
         let near = if 2 * (previous - word).abs() < turn { word } else { nearest_of_all(word, previous, turn) };
         if self.contains(near) { Ok(near) } else { self.nearest_inside(near, turn) }
     }

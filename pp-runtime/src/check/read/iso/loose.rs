@@ -18,7 +18,7 @@
 use super::super::block::{PathMode, Smoothing, WorkOffset};
 use super::super::draft::{Code, LengthCode, TiltCode};
 use super::super::frames;
-use super::super::language::{Letters, PathCode, Plane, Smoother, letters};
+use super::super::language::{PathCode, Plane, Smoother, letters};
 use super::super::text::{Number, whole};
 use super::{ALWAYS, Reading};
 
