@@ -34,6 +34,12 @@ shortcuts! {
     SteadyRuns,
     /// The course takes a cut that rotates every axis by less than a quarter of a revolution state by state, without a search.
     StatesFollowed,
+    /// The course takes a motion with the tool axis of the one before without asking for branches.
+    HeldToolAxis,
+    /// The placer keeps the rotary words of a motion after one that kept them with the same tool axis.
+    RotariesAtRest,
+    /// The travel along an arc is within that needed so far where its reach is.
+    TravelInReach,
     /// The mover certifies a motion as one block by bounds, without copies, before it divides it.
     OneBlock,
     /// The check takes a line of axis words and F directly from the text, and lets them move the axes.

@@ -34,6 +34,8 @@ mod random_programs;
 mod restart;
 mod retracts;
 mod set_ups;
+#[cfg(debug_assertions)]
+mod shortcuts;
 mod single_edits;
 mod stops;
 mod stream;

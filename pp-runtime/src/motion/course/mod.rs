@@ -356,7 +356,8 @@ impl Navigator {
     /// Takes a motion with the tool axis of the last pose, at a pole or in a run: it rotates nothing. False for any other.
     #[inline]
     fn stays(&mut self, pose: &Pose) -> bool {
-        let Some(here) = self.here.as_mut().filter(|here| here.axis == pose.axis) else { return false };
+        let is_held = |here: &&mut Pose| Shortcut::HeldToolAxis.is_on() && here.axis == pose.axis;
+        let Some(here) = self.here.as_mut().filter(is_held) else { return false };
         if let Some(run) = &mut self.run {
             if run.awaits_comparison() {
                 compare_rewinds(&mut self.searches, self.motion, run);

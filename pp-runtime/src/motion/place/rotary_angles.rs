@@ -15,6 +15,7 @@ use crate::motion::geometry::angle_between;
 use crate::motion::rotary::{Choice, MAX_TURNS, RotaryTarget, RotaryWords, RotationSense, choose};
 use crate::motion::step::MAX_AXES;
 use crate::motion::tolerances::LIMIT_SWING;
+use crate::shortcut::Shortcut;
 
 /// What the choice of rotary angles reads of a position.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -180,6 +181,7 @@ impl Placer {
         to: &mut AxisPosition,
     ) -> Result<(), Fault> {
         if let Some(stay) = &self.stay
+            && Shortcut::RotariesAtRest.is_on()
             && stay.feed == feed
             && stay.axis == pose.axis
             && stay.at == RotariesAt::of(self, from)

@@ -15,6 +15,7 @@ use super::{AxisPosition, Placer, too_large};
 use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
 use crate::motion::tolerances::{AXIS_VALUE_NOISE, ORTHOGONAL_MAP};
+use crate::shortcut::Shortcut;
 
 /// Largest deviation of an axis from its chord between two points of a block that are compared with the travel.
 const TRAVEL_SAMPLING_MM: f64 = 0.01;
@@ -99,7 +100,7 @@ impl Placer {
         reach_mm: f64,
         bounds: impl Fn(Vector3<f64>) -> [f64; 2],
     ) -> bool {
-        if self.frame.counts_tip() {
+        if !Shortcut::TravelInReach.is_on() || self.frame.counts_tip() {
             return false;
         }
         let Some((solved, known)) = self.known_map(at) else { return false };
@@ -144,18 +145,6 @@ impl Placer {
             self.travel.is_changed_by(&end)
         };
         !(self.travel.limited() && (is_changed_at(0) || is_changed_at(1)))
-    }
-
-    /// Whether a position is that of [`shifted`](Self::shifted) from `at` to its tip: the linear axes alone move, and nothing
-    /// else has been changed.
-    pub(crate) fn is_shifted(&self, place: &AxisPosition, at: &AxisPosition) -> bool {
-        let rests = |index: usize| {
-            place.axes[index].to_bits() == at.axes[index].to_bits() && place.words[index] == at.words[index]
-        };
-        place.pose.axis == at.pose.axis
-            && place.deviation_rad.to_bits() == at.deviation_rad.to_bits()
-            && (place.branch, place.at_pole) == (at.branch, at.at_pole)
-            && (0..self.chain.len()).all(|index| self.linear.mask & (1 << index) != 0 || rests(index))
     }
 
     /// Computes the linear axes and words of a position whose words are coordinates of the tip.

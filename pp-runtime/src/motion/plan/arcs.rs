@@ -175,10 +175,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             Ok(in_program) => in_program,
             Err(why) => return Ok(Err(why)),
         };
-        // Nearly every end has the rotary axes at exactly their present angles.
-        let mover = &self.planner.mover;
-        let at_angles = if mover.placer().is_shifted(end, mover.here()) { None } else { Some(self.piece_end(1.0)?) };
-        let end = at_angles.as_ref().unwrap_or(end);
+        let end = &self.piece_end(1.0)?;
         let Some(divisions) = Cuts::of(self.arc.angle_rad) else { return Ok(Err(NoArc::Rounding)) };
         for cuts in divisions {
             if let Some(last) = self.last_piece(&in_program, cuts, end)? {

@@ -11,7 +11,7 @@ use crate::motion::options::{CycleOutput, StretchMode};
 use crate::nc::Decimal;
 use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation};
 
-use crate::motion::fault::{Fault, ItemError, Planned};
+use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::feed::FeedMotion;
 use crate::motion::plan::{MotionAndNext, Planner, records};
@@ -147,9 +147,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let bottom = Move { pose: self.hole.level(-self.hole.depth_mm), rapid: false, feed: self.hole.feed };
         let above = Some(self.hole.level(self.approach_level()));
         let ahead = MotionAndNext { motion: &over, next: &Next::Motion(bottom.pose), above };
-        let mut known = None;
         if index.begins == Begins::Nothing {
-            known = self.reach(ahead, index)?;
+            self.reach(ahead, index)?;
         } else {
             let tooling = &self.planner.tooling;
             if tooling.current().is_none() && tooling.next().is_none() {
@@ -162,8 +161,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         }
         self.planner.mover.output_mut().set_reason(BlockReason::Hole);
         self.planner.check_state(&bottom)?;
-        let mut place = known.unwrap_or(*self.planner.mover.here());
-        match self.cycle(known.is_some(), &mut place)? {
+        let mut place = *self.planner.mover.here();
+        match self.cycle(&mut place)? {
             Ok(cycle) => self.run_cycle(&cycle, &place),
             Err(why) if matches!(self.hole.drilling, Drilling::Tap { .. }) => {
                 let text = format!(
@@ -187,8 +186,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     }
 
     /// Rotates the rotary axes for the hole, or leads the tool round the clearance geometry; one below the clearance level is
-    /// lifted to it. Returns the place over the hole, if the tool has not moved.
-    fn reach(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Result<Option<AxisPosition>, ItemError> {
+    /// lifted to it.
+    fn reach(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         let over = ahead.motion;
         self.planner.stop_spindle()?;
         self.planner.check_state(over)?;
@@ -197,16 +196,14 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let place = self.planner.mover.place(&over.pose, false, planned)?;
         let strays = self.planner.may_enter_clearance(&place);
         if self.planner.mover.rotates(&place) || self.planner.modes.changes() || strays {
-            self.planner.go(ahead, planned)?;
-            return Ok(None);
+            return self.planner.go(ahead, planned);
         }
         let lift = self.hole.clearance_mm - self.height();
         if lift > SAME_LEVEL {
             let tip = self.planner.mover.position().pose().tip + self.hole.top.axis.into_inner() * lift;
             self.go(&Move { pose: Pose { tip, ..over.pose }, ..*over })?;
-            return Ok(None);
         }
-        Ok(Some(place))
+        Ok(())
     }
 
     /// Height of the tool above the top of the hole, mm.
@@ -263,9 +260,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         self.rapid_to(hole.return_mm)
     }
 
-    /// The cycle of the hole, or the reason why there is none. Sets `place` to the place at its end. `is_over`: it is the one over
-    /// the hole.
-    fn cycle(&mut self, is_over: bool, place: &mut AxisPosition) -> Result<Result<CannedCycle, NoCycle>, Fault> {
+    /// The cycle of the hole, or the reason why there is none. Sets `place` to the place at its end.
+    fn cycle(&mut self, place: &mut AxisPosition) -> Result<Result<CannedCycle, NoCycle>, Fault> {
         let (hole, policy) = (self.hole, self.planner.policy);
         if policy.options.cycles.output == CycleOutput::Expanded {
             return Ok(Err(NoCycle::Expanded));
@@ -293,11 +289,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             Ok(kind) => kind,
             Err(why) => return Ok(Err(why)),
         };
-        let (here, placer) = (self.planner.mover.here(), self.planner.mover.placer());
-        if !(is_over && placer.is_shifted(place, here)) {
-            *place = *here;
-            self.planner.mover.shift(place, hole.level(hole.clearance_mm).tip)?;
-        }
+        *place = *self.planner.mover.here();
+        self.planner.mover.shift(place, hole.level(hole.clearance_mm).tip)?;
         let (over, [x, y, z]) = (*place, chain);
         let words =
             AxisWords { units: self.planner.mover.placer().written(&over), mask: 1 << x | 1 << y, vector: None };

@@ -43,12 +43,12 @@ const SHOWN: usize = 3;
 
 /// Input of one test, with set-up and CL data as text.
 #[derive(Clone)]
-struct Case {
-    kind: &'static MachineKind,
-    control: &'static dyn Control,
+pub(crate) struct Case {
+    pub(crate) kind: &'static MachineKind,
+    pub(crate) control: &'static dyn Control,
     mode: Mode,
     set_up: String,
-    cl: String,
+    pub(crate) cl: String,
 }
 
 /// Outcome of a case.
@@ -66,7 +66,7 @@ enum Outcome {
 
 impl Case {
     /// The case of a seed.
-    fn of(seed: u64) -> Self {
+    pub(crate) fn of(seed: u64) -> Self {
         let mut random = Random::new(seed);
         let random = &mut random;
         let kind = &KINDS[random.below(KINDS.len())];
@@ -92,24 +92,27 @@ impl Case {
         catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|_| Outcome::Wrong("a panic".to_owned(), Vec::new()))
     }
 
-    fn name(&self) -> String {
+    pub(crate) fn name(&self) -> String {
         format!("{} {} {}", self.kind.name, self.control.spellings().name, self.mode.name())
+    }
+
+    /// The configuration, or the reason why machine, control and set-up are not compatible.
+    pub(crate) fn config<M: Machine>(&self) -> Result<Config, String> {
+        let config = starting_point(self.control).read_over(&M::default(), &self.set_up);
+        let mut config = config.map_err(|faults| faults[0].text.clone())?;
+        config.motion.mode = self.mode;
+        config.given.insert("part_origin");
+        let unfit = control::unfit(&M::default(), self.control, config.demands()).into_iter().next();
+        unfit.map_or(Ok(config), Err)
     }
 }
 
 /// Posts a case twice, checks it, and compares it with the foreign interpreter.
 fn run<M: Machine>(case: &Case) -> Outcome {
-    let config = match starting_point(case.control).read_over(&M::default(), &case.set_up) {
-        Ok(mut config) => {
-            config.motion.mode = case.mode;
-            config.given.insert("part_origin");
-            config
-        }
-        Err(faults) => return Outcome::Unsuited(faults[0].text.clone()),
+    let config = match case.config::<M>() {
+        Ok(config) => config,
+        Err(reason) => return Outcome::Unsuited(reason),
     };
-    if let Some(fault) = control::unfit(&M::default(), case.control, config.demands()).into_iter().next() {
-        return Outcome::Unsuited(fault);
-    }
     let job = post::Job { cl_name: "random.cls", config: &config, control: case.control, units: None };
     let posted = || {
         let mut program = Vec::new();
@@ -262,9 +265,7 @@ impl Case {
 }
 
 fn findings<M: Machine>(case: &Case, program: &[u8]) -> (u64, usize) {
-    let mut config =
-        starting_point(case.control).read_over(&M::default(), &case.set_up).expect("it has been read before");
-    config.motion.mode = case.mode;
+    let config = case.config::<M>().expect("it has been read before");
     let policy = config.check_policy::<M>(case.control, None).expect("the configuration suits control and machine");
     let outcome = check::check::<M>(&policy, Cursor::new(&case.cl), program).expect("it can be read").outcome;
     (outcome.count, outcome.findings.len())
