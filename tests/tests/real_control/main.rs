@@ -2,10 +2,7 @@
 //!
 //! Without LinuxCNC these tests print that they are skipped, and pass; with `PP_REQUIRE_LINUXCNC=1` they fail.
 
-mod generated;
 mod interpreter;
-mod job;
-mod kinematics;
 mod linuxcnc;
 mod module;
-mod sweep;
+mod real_time;

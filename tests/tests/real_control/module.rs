@@ -12,7 +12,7 @@ use tests::linuxcnc::installed;
 use tests::linuxcnc::module::{MODULES, Module, Nine, can_be_compiled, compile};
 use tests::random::Random;
 
-use super::kinematics::{LENGTH, TableAc, TableBc, WORK_OFFSET, set_up};
+use super::real_time::kinematics::{LENGTH, TableAc, TableBc, WORK_OFFSET, set_up};
 
 machine! {
     /// The machine of `5axiskins`: its B is opposite to ISO 841, and a positive W moves the tool out of the head.

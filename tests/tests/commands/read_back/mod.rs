@@ -10,9 +10,9 @@
 //! - a motion to the next GOTO, or a piece of it, on its line and within tolerance; the pieces take the time of the
 //!   whole motion.
 
+mod comparison;
 mod given;
 mod points;
-mod reader;
 mod set_ups;
 mod slips;
 
@@ -25,9 +25,9 @@ use tests::binaries::binary;
 use tests::foreign::state::Length;
 use tests::foreign::{Control, Effect, Entry, Executed, Options, Trace, run};
 
+use comparison::{Checked, Comparison, Motion, Stage};
 use given::{COIL, PADS, PLAIN, SetUp, USUAL, WordDatum, data, sample};
 use points::ClData;
-use reader::{Checked, Motion, Reader, Stage};
 
 fn posted(machine: &str, cl: &PathBuf, set_up: &SetUp) -> String {
     posted_with(machine, cl, set_up.config.map(data).as_deref(), set_up.coarse)
@@ -66,22 +66,22 @@ fn read_back<M: Machine>(name: &str, path: &PathBuf, set_up: &SetUp) -> Checked 
 fn check<M: Machine>(text: &str, path: &Path, cl: &ClData, set_up: &SetUp) -> Checked {
     let options = Options { gauge_line: set_up.datum.gauge_line, ..Options::of(Control::LinuxCnc) };
     let program = run(text, &options).unwrap_or_else(|refused| panic!("{refused}"));
-    let mut reader = Reader::<M>::new(set_up, cl);
+    let mut comparison = Comparison::<M>::new(set_up, cl);
     let steps = &program.blocks;
     for (index, step) in steps.iter().enumerate() {
         match step.effect {
-            Effect::ToolChange(tool) => reader.call(tool),
+            Effect::ToolChange(tool) => comparison.call(tool),
             Effect::Length(Length::Register(register)) => {
                 let head = M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && axis.side == Side::Tool);
                 let next = steps.get(index + 1).map(|step| step.effect);
                 let guarded = matches!(next, Some(Effect::Guard { length, tolerance })
-                    if (length - reader.length()).abs() < 1e-9 && (tolerance - 0.01).abs() < 1e-12);
-                assert_eq!(guarded, head && Some(register) == reader.tool, "line {}: the length guard", step.line);
+                    if (length - comparison.length()).abs() < 1e-9 && (tolerance - 0.01).abs() < 1e-12);
+                assert_eq!(guarded, head && Some(register) == comparison.tool, "line {}: the length guard", step.line);
             }
             Effect::Rapid | Effect::Feed | Effect::Machine => {
                 let later = steps[index + 1..].iter().find(|step| step.effect.moves());
                 let then_machine = later.is_some_and(|step| step.effect == Effect::Machine);
-                reader.motion(step.line, &Motion::of(step), then_machine);
+                comparison.motion(step.line, &Motion::of(step), then_machine);
             }
             Effect::Arc(_) | Effect::Hole(_) | Effect::Orient => {
                 panic!("line {}: the motion is not straight", step.line)
@@ -89,13 +89,13 @@ fn check<M: Machine>(text: &str, path: &Path, cl: &ClData, set_up: &SetUp) -> Ch
             _ => {}
         }
     }
-    assert_eq!(reader.next, cl.points.len(), "GOTOs that are reached, and GOTOs in the CL data");
-    let (edge, own) = (reader.edge, path.starts_with(data("")) && set_up.datum == USUAL);
+    assert_eq!(comparison.next, cl.points.len(), "GOTOs that are reached, and GOTOs in the CL data");
+    let (edge, own) = (comparison.edge, path.starts_with(data("")) && set_up.datum == USUAL);
     assert!(!own || edge > 1e-4, "another platform may round a word differently: {edge} units");
-    assert!(reader.stage == Stage::Retracted, "the program ends in the part");
-    assert_eq!(reader.parked, set_up.park.iter().map(|(letter, _)| *letter).collect());
+    assert!(comparison.stage == Stage::Retracted, "the program ends in the part");
+    assert_eq!(comparison.parked, set_up.park.iter().map(|(letter, _)| *letter).collect());
     check_restarts(text, &program, cl, &options);
-    reader.checked
+    comparison.checked
 }
 
 /// Checks that a program that is entered at any of its block numbers has the same motions as from its start.

@@ -1,6 +1,6 @@
 //! Programs with random set-ups: orientation of the part, datum of the words, tool lengths.
 //!
-//! The product gets the set-up as a configuration file, the reader as numbers: it multiplies the CL data by its own
+//! The product gets the set-up as a configuration file, the comparison as numbers: it multiplies the CL data by its own
 //! matrix and solves the machine's matrices for the difference between words and axis values.
 
 use std::fmt::Write as _;

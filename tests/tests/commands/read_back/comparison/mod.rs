@@ -1,6 +1,8 @@
-//! Reader that compares the blocks of a program, one after the other, with the GOTOs that they must reach.
+//! Comparison of the blocks of a program, one after the other, with the GOTOs that they must reach.
 //!
-//! This file has the state of the reader and decides the purpose of a block; `motions` checks each kind of motion.
+//! No text is read here: the blocks are those that [`tests::foreign`] has executed. The CL data and the oracle alone decide what a
+//! block must be, as a second opinion beside the product's `check::compare`: no mode, rule or tolerance is taken from there.
+//! This file has the state of the comparison and decides the purpose of a block; `motions` checks each kind of motion.
 
 mod motions;
 
@@ -94,7 +96,7 @@ pub(crate) struct SplitMotion {
     pub(crate) uneven: bool,
 }
 
-pub(crate) struct Reader<'a, M: Machine> {
+pub(crate) struct Comparison<'a, M: Machine> {
     pub(crate) set_up: &'a SetUp,
     pub(crate) cl: &'a ClData,
     pub(crate) machine: M,
@@ -123,7 +125,7 @@ pub(crate) struct Reader<'a, M: Machine> {
     pub(crate) checked: Checked,
 }
 
-impl<'a, M: Machine> Reader<'a, M> {
+impl<'a, M: Machine> Comparison<'a, M> {
     pub(crate) fn new(set_up: &'a SetUp, cl: &'a ClData) -> Self {
         let machine = M::default();
         let oracle = Oracle::of(&machine);

@@ -9,11 +9,11 @@ use tests::oracle::angle_between;
 
 use super::super::points::Goto;
 use super::{
-    BLOCK_POINTS, INDEX_ANGLE, LARGEST_ROTATION, Motion, NOISE, ON_LINE, ROTARY_UNIT, Reader, SIX_DIGITS, SplitMotion,
-    Stage, TOLERANCE,
+    BLOCK_POINTS, Comparison, INDEX_ANGLE, LARGEST_ROTATION, Motion, NOISE, ON_LINE, ROTARY_UNIT, SIX_DIGITS,
+    SplitMotion, Stage, TOLERANCE,
 };
 
-impl<M: Machine> Reader<'_, M> {
+impl<M: Machine> Comparison<'_, M> {
     /// Checks the approach point: the first GOTO if the next is straight below it, else a point above the first GOTO.
     pub(super) fn approach(&mut self, line: usize, values: &[f64], position: &Axes) {
         let goto = &self.cl.points[self.next];
