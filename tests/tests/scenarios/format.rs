@@ -234,10 +234,10 @@ pub(crate) fn read(path: &Path) -> Result<Vec<Case>, String> {
                 case.words.extend(of_controls.map(|(of, text)| ((of.clone(), cells[0].clone()), text.clone())));
             }
         }
-        if let Some((key, values)) = line.strip_prefix("- ").and_then(|item| item.split_once(": ")) {
-            if set(&mut case.settings, key, values).is_none() {
-                return fault("no setting, or none of its values");
-            }
+        if let Some((key, values)) = line.strip_prefix("- ").and_then(|item| item.split_once(": "))
+            && set(&mut case.settings, key, values).is_none()
+        {
+            return fault("no setting, or none of its values");
         }
     }
     cases.remove(0);

@@ -21,22 +21,6 @@ pub(crate) fn unnumbered(program: &str, numbered: bool) -> Vec<String> {
     program.lines().map(|line| if numbered { bare(line) } else { line.to_owned() }).collect()
 }
 
-/// The lines as a program, with numbers that have no gap.
-pub(crate) fn numbered(lines: &[String], numbered: bool) -> String {
-    let (mut text, mut number, mut goes_on) = (String::new(), 0, false);
-    for line in lines {
-        if numbered && !goes_on {
-            let (mark, line) = line.strip_prefix('/').map_or(("", &**line), |line| ("/", line));
-            text += &format!("{mark}{number} {line}\n");
-            number += 1;
-        } else {
-            text += &format!("{line}\n");
-        }
-        goes_on = numbered && line.ends_with('~');
-    }
-    text
-}
-
 /// Whether a line is the expected one.
 pub(crate) fn is_like(line: &str, expected: &str) -> bool {
     let (line, expected) = (line.trim(), expected.trim());
@@ -188,9 +172,10 @@ fn replaced(lines: &[String], was: &str, is: &str) -> Vec<Vec<String>> {
 /// Whether a text in a line ends and begins where words and numbers do: `X-40` is not in `X-400`, and `T1` not in `GT1`.
 fn is_word(line: &str, at: usize, text: &str) -> bool {
     let (before, after) = (&line[..at], &line[at + text.len()..]);
-    let alphanumeric = |c: Option<char>| c.is_some_and(|c| c.is_ascii_alphanumeric());
-    let goes_on =
-        after.trim_start_matches('.').starts_with(|c: char| c.is_ascii_digit()) || alphanumeric(after.chars().next());
-    !(alphanumeric(before.chars().next_back()) && alphanumeric(text.chars().next()))
-        && !(goes_on && alphanumeric(text.chars().next_back()))
+    let joins = |one: Option<char>, other: Option<char>| {
+        one.zip(other).is_some_and(|(one, other)| one.is_ascii_alphanumeric() && other.is_ascii_alphanumeric())
+    };
+    // A point goes on with a number, unless it ends the number.
+    let after = after.strip_prefix('.').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit())).unwrap_or(after);
+    !joins(before.chars().next_back(), text.chars().next()) && !joins(text.chars().next_back(), after.chars().next())
 }

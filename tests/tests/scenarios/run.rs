@@ -3,6 +3,8 @@
 use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 
+use tests::posting::renumbered;
+
 use crate::format::{Block, Case, Kind, Run};
 use crate::job::{Chosen, Job, Message};
 use crate::program::{self, contains, edited, edits};
@@ -83,13 +85,15 @@ fn compare(case: &Case, run: &Run, blocks: &[Block], chosen: &Chosen, shows: boo
         Err(messages) if of_error.clone().count() == 0 => {
             return vec![failure(case.line, &format!("it is refused:\n{}", listed(&messages)), None)];
         }
-        Err(messages) => return of_error.filter_map(|block| missing(block, &messages, &failure)).collect(),
+        Err(messages) => {
+            let of = |block: &Block| missing(block, &messages).map(|(text, new)| failure(block.line, &text, new));
+            return of_error.filter_map(of).collect();
+        }
     };
     if shows {
         println!("{}, {name}:\n{}", case.title(), posted.program);
     }
-    let numbers = job.control().spellings().numbers_every_line;
-    let lines = program::unnumbered(&posted.program, numbers);
+    let lines = program::unnumbered(&posted.program, job.control().spellings().numbers_every_line);
     let mut failures = Vec::new();
     // What was checked last, with its findings: at first the posted program.
     let (mut tried, mut tries) = (vec![(String::new(), job.findings(&posted.program))], 0);
@@ -103,8 +107,12 @@ fn compare(case: &Case, run: &Run, blocks: &[Block], chosen: &Chosen, shows: boo
         };
         match block.kind {
             Kind::Error => fails("it is posted, not refused", None),
-            Kind::Remark => failures.extend(missing(block, &posted.remarks, &failure)),
-            Kind::Summary => failures.extend(missing(block, &posted.summary, &failure)),
+            Kind::Remark | Kind::Summary => {
+                let messages = if block.kind == Kind::Remark { &posted.remarks } else { &posted.summary };
+                if let Some((text, blessed)) = missing(block, messages) {
+                    fails(&text, blessed);
+                }
+            }
             Kind::Nc => {
                 if let Some((text, blessed)) = program::excerpt(&lines, &block.lines) {
                     fails(&text, Some(blessed));
@@ -125,14 +133,15 @@ fn compare(case: &Case, run: &Run, blocks: &[Block], chosen: &Chosen, shows: boo
             Kind::Finding if block.tries != tries => {}
             Kind::Finding => {
                 for (what, found) in &tried {
-                    let of_try = |line: usize, text: &str, blessed| failure(line, &format!("{what}\n{text}"), blessed);
-                    failures.extend(missing(block, found, &of_try));
+                    if let Some((text, blessed)) = missing(block, found) {
+                        fails(&format!("{what}{text}"), blessed);
+                    }
                 }
             }
             Kind::Cl | Kind::Toml if !block.is("check") => {}
             Kind::Cl | Kind::Toml => {
                 let other = Job::of(run, &case.settings, blocks, chosen, Some(block));
-                tried = vec![(block.lines.join("\n"), other.findings(&posted.program))];
+                tried = vec![(block.lines.join("\n") + "\n", other.findings(&posted.program))];
             }
             Kind::Edit | Kind::Lost => {
                 let lost = block.lines.iter().map(|line| vec![format!("- {line}")]);
@@ -148,7 +157,8 @@ fn compare(case: &Case, run: &Run, blocks: &[Block], chosen: &Chosen, shows: boo
                         fails(&format!("{places} places for the edit\n{}", edit.join("\n")), None);
                     }
                     tried.extend(programs.into_iter().map(|edited| {
-                        let found = job.findings(&program::numbered(&edited, numbers));
+                        let text: Vec<&str> = edited.iter().map(String::as_str).collect();
+                        let found = job.findings(&renumbered(job.control(), &text));
                         (program::difference(&lines, &edited), found)
                     }));
                 }
@@ -169,12 +179,8 @@ fn listed(messages: &[Message]) -> String {
     messages.iter().map(Message::full).collect::<Vec<_>>().join("\n")
 }
 
-/// The failure of a block with expected lines that no message has.
-fn missing(
-    block: &Block,
-    messages: &[Message],
-    failure: &dyn Fn(usize, &str, Option<Vec<String>>) -> Failure,
-) -> Option<Failure> {
+/// The expected lines of a block that no message has, with the messages, and the lines that it would have.
+fn missing(block: &Block, messages: &[Message]) -> Option<(String, Option<Vec<String>>)> {
     let has = |expected: &&String| messages.iter().any(|message| message.has(expected));
     let (present, lost): (Vec<&String>, Vec<&String>) = block.lines.iter().partition(has);
     let more = block.is("only") && messages.len() > block.lines.len();
@@ -182,6 +188,6 @@ fn missing(
         return None;
     }
     let new = messages.first().map(Message::blessed);
-    let blessed = new.map(|new| block.unspelt(present.into_iter().cloned().chain([new]).collect()));
-    Some(failure(block.line, &format!("expected: {lost:?}\nfound:\n{}", listed(messages)), blessed))
+    let blessed = new.map(|new| present.into_iter().cloned().chain([new]).collect());
+    Some((format!("expected: {lost:?}\nfound:\n{}", listed(messages)), blessed))
 }
