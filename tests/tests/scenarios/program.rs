@@ -24,6 +24,9 @@ pub(crate) fn unnumbered(program: &str, numbered: bool) -> Vec<String> {
 /// Whether a line is the expected one.
 pub(crate) fn is_like(line: &str, expected: &str) -> bool {
     let (line, expected) = (line.trim(), expected.trim());
+    if expected == GAP {
+        return line == GAP;
+    }
     let mut pieces = expected.split(GAP);
     let first = pieces.next().unwrap_or_default();
     let Some(mut rest) = line.strip_prefix(first) else { return false };
@@ -68,8 +71,8 @@ fn place(lines: &[String], wanted: &[String], from: usize) -> Option<usize> {
 }
 
 /// `None` if the expected lines are in the program; the difference where they are not, and the expected lines with those of
-/// the program in their place.
-pub(crate) fn excerpt(lines: &[String], expected: &[String]) -> Option<(String, Vec<String>)> {
+/// the program in their place if any of them is there.
+pub(crate) fn excerpt(lines: &[String], expected: &[String]) -> Option<(String, Option<Vec<String>>)> {
     let mut from = 0;
     let parts: Vec<&[String]> = expected.split(|line| line.trim() == GAP).collect();
     for (index, part) in parts.iter().enumerate() {
@@ -80,7 +83,8 @@ pub(crate) fn excerpt(lines: &[String], expected: &[String]) -> Option<(String, 
         let near = nearest(&lines[from..], part);
         let mut all = parts.clone();
         all[index] = near;
-        return Some((difference(part, near), all.join(&GAP.to_owned())));
+        let is_near = near.iter().any(|line| part.iter().any(|wanted| is_like(line, wanted)));
+        return Some((difference(part, near), is_near.then(|| all.join(&GAP.to_owned()))));
     }
     None
 }

@@ -115,7 +115,7 @@ fn compare(case: &Case, run: &Run, blocks: &[Block], chosen: &Chosen, shows: boo
             }
             Kind::Nc => {
                 if let Some((text, blessed)) = program::excerpt(&lines, &block.lines) {
-                    fails(&text, Some(blessed));
+                    fails(&text, blessed);
                 }
             }
             Kind::All => {
