@@ -63,18 +63,10 @@ pub fn renumbered(control: &dyn Control, lines: &[&str]) -> String {
     let (mut number, mut goes_on) = (0, false);
     let lines = lines.iter().map(|line| {
         let starts = !std::mem::replace(&mut goes_on, numbered && line.ends_with('~'));
-        let text = if numbered && starts { format!("{number} {line}\n") } else { format!("{line}\n") };
+        let (mark, words) = line.strip_prefix('/').map_or(("", *line), |words| ("/", words));
+        let text = if numbered && starts { format!("{mark}{number} {words}\n") } else { format!("{line}\n") };
         number += u32::from(starts);
         text
     });
     lines.collect()
-}
-
-/// Programs without one of the lines that `wanted` selects.
-#[must_use]
-pub fn without(program: &str, control: &dyn Control, wanted: impl Fn(&[&str]) -> bool) -> Vec<String> {
-    let lines = bare(program);
-    let chosen: Vec<usize> = (0..lines.len()).filter(|&at| wanted(&lines[at..])).collect();
-    let shorter = chosen.into_iter().map(|at| renumbered(control, &[&lines[..at], &lines[at + 1..]].concat()));
-    shorter.collect()
 }

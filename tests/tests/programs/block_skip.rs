@@ -1,10 +1,11 @@
 //! OPSKIP: blocks that the operator may have skipped. The program is right for the CL data with them where they are executed,
-//! and for the CL data without them where they are skipped; the check insists on each mark.
+//! and for the CL data without them where they are skipped; the check insists on each mark. Single cases are in
+//! `tests/scenarios/block_skip.md`.
 
 use machines::SpinnerU5620;
 use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
-use tests::posting::{findings, posted, written};
+use tests::posting::{findings, posted};
 
 const FIRST: &str = "UNITS/MM
 TOOL PATH/OP1,TOOL,T
@@ -151,61 +152,6 @@ fn a_mark_that_is_lost_or_at_another_block_is_found() {
     }
 }
 
-#[test]
-fn the_tool_before_and_after_skipped_blocks_is_called_again_where_it_may_be_another() {
-    for control in control::CONTROLS {
-        let config = config(*control, "mode = 'axes'\nlength_guard = false\nplane_guard = false\n");
-        // Without a record of a tool after the stretch: T2 goes on, and may not have been called.
-        let data = with_skip().replace("LOADTL/1\nSPINDL/RPM,2000,CLW\nCOOLNT/ON\nRAPID\nGOTO/5", "RAPID\nGOTO/5");
-        let program = posted::<SpinnerU5620>(&config, *control, &data);
-        let last = program.lines().collect::<Vec<_>>();
-        let at = last.iter().rposition(|line| line.starts_with('/')).expect("a mark");
-        let change = (at..last.len())
-            .find(|&at| ["T2 M6", "T2 M06", "T2", "T=2"].contains(&last[at]) || last[at].contains("TOOL CALL 2"));
-        let change = change.unwrap_or_else(|| panic!("{program}"));
-        let removed = [&last[..change], &last[change + 1..]].concat().join("\n");
-        assert!(!findings::<SpinnerU5620>(&config, *control, &data, &removed).is_empty(), "{removed}");
-    }
-}
-
-#[test]
-fn opskip_before_the_first_motion_and_up_to_the_end_is_posted() {
-    for control in control::CONTROLS {
-        let config = config(*control, "mode = 'axes'\nlength_guard = false\nplane_guard = false\n");
-        for data in [
-            FIRST.replace("TOOL PATH/OP1", "OPSKIP/ON\nTOOL PATH/OP1") + "OPSKIP/OFF\n" + LAST,
-            FIRST.to_owned() + "OPSKIP/ON\n" + LAST,
-            FIRST.to_owned() + "OPSKIP/ON\nOPSKIP/ON\nPPRINT A\nOPSKIP/OFF\nOPSKIP/OFF\n" + LAST,
-        ] {
-            posted::<SpinnerU5620>(&config, *control, &data);
-        }
-    }
-}
-
-#[test]
-fn opskip_around_no_block_is_a_remark() {
-    for control in control::CONTROLS {
-        let config = config(*control, "mode = 'axes'\n");
-        let data = FIRST.to_owned() + "OPSKIP/ON\nCOOLNT/OFF\nOPSKIP/OFF\n" + LAST;
-        let (program, report) = written::<SpinnerU5620>(&config, *control, &data).expect("it can run");
-        assert!(!report.failed, "{program}\n{:?}", report.diagnostics);
-        let remarks = report.diagnostics.iter().filter(|remark| remark.text.contains("nothing is skipped")).count();
-        assert_eq!(remarks, 1, "{:?}", report.diagnostics);
-    }
-}
-
-#[test]
-fn a_guard_that_cannot_be_skipped_is_refused() {
-    for control in control::CONTROLS {
-        let config = config(*control, "mode = 'axes'\nlength_guard = true\n");
-        let (program, report) = written::<SpinnerU5620>(&config, *control, &with_skip()).expect("it can run");
-        let refused =
-            report.diagnostics.iter().any(|fault| fault.text.contains("whatever the block skip switch is set to"));
-        assert_eq!(refused, control.spellings().name == "siemens", "{program}\n{:?}", report.diagnostics);
-        assert_eq!(report.failed, refused, "{program}\n{:?}", report.diagnostics);
-    }
-}
-
 /// Blocks of each control that look for breakage.
 fn check_tool(name: &str) -> &'static str {
     match name {
@@ -277,16 +223,5 @@ fn a_tool_is_checked_on_its_own_side_of_the_marks() {
                 }
             }
         }
-    }
-}
-
-#[test]
-fn a_retract_along_the_tool_axis_stands_after_the_marks_whichever_tool_is_in_the_spindle() {
-    let control = control::by_name("heidenhain").expect("a control");
-    for mode in ["axes", "auto"] {
-        let keys = format!("mode = '{mode}'\nretract.method = 'M140'\nlength_guard = false\nplane_guard = false\n");
-        // It passes its check.
-        let program = posted::<SpinnerU5620>(&config(control, &keys), control, &with_skip());
-        assert!(program.contains("M140 MB MAX"), "{program}");
     }
 }

@@ -14,9 +14,7 @@ mod edits;
 mod entries;
 mod eyes;
 mod findings;
-mod fine_boring;
 mod foreign;
-mod indexed_holes;
 mod linearised;
 mod links;
 mod mixed_job;
@@ -29,20 +27,14 @@ mod numbers;
 mod operations;
 mod own_control;
 mod plane_guards;
-mod probing;
 mod random_programs;
 mod restart;
-mod retracts;
 mod set_ups;
 #[cfg(debug_assertions)]
 mod shortcuts;
-mod single_edits;
-mod stops;
 mod stream;
 mod threads;
 mod tilted_holes;
-mod tool_blocks;
-mod tool_position;
 
 use tests::heap::Counting;
 

@@ -1,12 +1,11 @@
 //! Settings of single operations (`[operations]`): each changes the blocks of its operations alone, the check accepts the
-//! program, and refuses one that was posted with other settings.
+//! program, and refuses one that was posted with other settings. Refusals, remarks and summaries are in
+//! `tests/scenarios/operations.md`.
 
 use machines::SpinnerU5620;
 use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
-use pp_runtime::diag::{Diagnostic, Severity};
-use pp_runtime::post::Report;
-use tests::posting::{findings, posted, written};
+use tests::posting::{findings, posted};
 
 /// A tilted face, a blade with a curve, and holes with a thread: three operations with names, the second with a stop in it.
 const CL: &str = "UNITS/MM
@@ -67,15 +66,6 @@ fn config(control: &'static dyn Control, keys: &str) -> Config {
     let text = format!("{origin}{frame}{top}{KEYS}{codes}{sections}");
     let read = starting_point(control).read_over(&SpinnerU5620::default(), &text);
     read.unwrap_or_else(|faults| panic!("{text}: {faults:?}"))
-}
-
-fn post_with(config: &Config, control: &'static dyn Control, cl: &str) -> (String, Report) {
-    written::<SpinnerU5620>(config, control, cl).expect("it can run")
-}
-
-/// Faults of the CL data with this configuration: line, severity, text and help.
-fn faults(control: &'static dyn Control, keys: &str) -> Vec<Diagnostic> {
-    post_with(&config(control, keys), control, CL).1.diagnostics
 }
 
 /// Blocks of each operation, without numbers and without those of its safety line.
@@ -214,31 +204,6 @@ fn the_path_keeps_to_the_tolerance_of_the_operation() {
 }
 
 #[test]
-fn lintol_narrows_the_tolerance_of_its_operation() {
-    let control = control::by_name("siemens").expect("a control");
-    let stated = |tolerance: &str| {
-        CL.replace(
-            "TOOL PATH/Finish Blade,TOOL,D10\n",
-            &format!("TOOL PATH/Finish Blade,TOOL,D10\nLINTOL/{tolerance}\n"),
-        )
-    };
-    let keys = "[operations.2]\ntolerance = 0.8\n[operations.3]\ntolerance = 0.8\n";
-    let config = config(control, keys);
-    // Wider than `tolerance`, narrower than that of the operation.
-    let cl = stated("0.3");
-    let (program, report) = post_with(&config, control, &cl);
-    assert!(report.diagnostics.is_empty(), "{:?}", report.diagnostics);
-    let found = findings::<SpinnerU5620>(&config, control, &cl, &program);
-    assert!(found.is_empty(), "{program}\n{found:?}");
-    assert!(!findings::<SpinnerU5620>(&config, control, &stated("0.001"), &program).is_empty(), "{program}");
-    let (_, report) = post_with(&config, control, &stated("0.9"));
-    assert_eq!(
-        report.diagnostics[0].text,
-        "LINTOL/0.9 mm exceeds the tolerance of 0.8 mm in the configuration, which stays in force"
-    );
-}
-
-#[test]
 fn no_feed_motion_of_the_operation_is_faster_than_its_largest_feed() {
     for control in control::CONTROLS {
         differs(*control, ("", "[operations.'*blade']\nlargest_feed = 450.0\n"), BLADE_ALONE, BOTH);
@@ -261,21 +226,6 @@ fn the_largest_feed_counts_in_inches_of_the_file() {
     assert_eq!(
         config("[operations.1]\nlargest_feed = 20.0\n").motion.operations.entries[0].settings.largest_feed_mm_per_min,
         Some(508.0)
-    );
-}
-
-#[test]
-fn a_thread_that_is_faster_than_the_largest_feed_is_refused() {
-    let control = control::by_name("fanuc").expect("a control");
-    let cl =
-        CL.replace("CYCLE/DRILL,RAPTO,3,FEDTO,-8,RTRCTO,10,MMPM,200", "CYCLE/TAP,RAPTO,5,FEDTO,-8,RTRCTO,10,MMPR,1");
-    let keys = |feed: u32| config(control, &format!("[operations.'*']\nlargest_feed = {feed}\n"));
-    posted::<SpinnerU5620>(&keys(500), control, &cl);
-    let (_, report) = post_with(&keys(499), control, &cl);
-    let fault = report.diagnostics.iter().find(|fault| fault.severity == Severity::Error).expect("refused");
-    assert_eq!(
-        fault.text,
-        "`[operations.\"*\"] largest_feed` is 499 mm/min, but pitch and spindle speed of this thread give 500 mm/min"
     );
 }
 
@@ -309,107 +259,6 @@ fn a_free_axis_at_zero_in_the_next_operation_stays_in_this_one() {
     let approach = alone[2].iter().find(|block| block.contains(" C")).expect("its angle");
     assert!(boss.contains(approach.as_str()) && !approach.ends_with(" C0."), "{approach}\n{program}");
     assert!(last.contains(" C0."), "{program}");
-}
-
-#[test]
-fn what_machine_or_control_cannot_do_is_refused_where_the_operation_begins() {
-    let linuxcnc = control::by_name("linuxcnc").expect("a control");
-    let first = |keys: &str| {
-        let fault = faults(linuxcnc, keys).into_iter().find(|fault| fault.severity == Severity::Error);
-        let fault = fault.unwrap_or_else(|| panic!("{keys} is not refused"));
-        (fault.location.line, fault.text)
-    };
-    // Smoothing that the control lacks is left out.
-    let smooth = config(linuxcnc, "[operations.'finish*']\nsmoothing = 'finish'\n");
-    let (_, report) = post_with(&smooth, linuxcnc, CL);
-    assert!(!report.failed && report.set_up.iter().any(|line| line.contains("no smoothing levels")), "{report:?}");
-    let (line, text) = first("[operations.1]\nmode = 'plane'\n");
-    assert_eq!(line, 2);
-    assert!(
-        text.starts_with("`[operations.1] mode = \"plane\"`: mode plane: LinuxCNC has no tilted work plane"),
-        "{text}"
-    );
-    // The operation after the stop has no name of its own.
-    let (line, text) = first("[operations.3]\nmode = 'plane'\n");
-    assert_eq!(line, 22);
-    assert!(text.starts_with("`[operations.3] mode"), "{text}");
-    // A tool axis that rotates cannot be in a plane.
-    let siemens = control::by_name("siemens").expect("a control");
-    let fault = faults(siemens, "[operations.2]\nmode = 'plane'\n").remove(0);
-    assert_eq!((fault.location.line, fault.severity), (17, Severity::Error), "{fault:?}");
-}
-
-#[test]
-fn entries_that_contradict_each_other_are_refused_with_both_names() {
-    let control = control::by_name("haas").expect("a control");
-    let keys = "[operations.'finish*']\nlargest_feed = 300\n[operations.'*blade']\nlargest_feed = 400\n";
-    let fault = faults(control, keys).remove(0);
-    assert_eq!(
-        (fault.location.line, fault.text.as_str()),
-        (
-            12,
-            "[operations.\"finish*\"] and [operations.\"*blade\"] set different values of `largest_feed` for operation 2 \
-             (Finish Blade)"
-        )
-    );
-    // The check refuses them as well.
-    let program = posted::<SpinnerU5620>(&config(control, ""), control, CL);
-    let found = findings::<SpinnerU5620>(&config(control, keys), control, CL, &program);
-    assert!(found.iter().any(|text| text.contains("different values of `largest_feed`")), "{found:?}");
-    // A name decides for both operations of that name.
-    let keys = format!("{keys}[operations.'finish blade']\nlargest_feed = 350\n");
-    posted::<SpinnerU5620>(&config(control, &keys), control, CL);
-}
-
-#[test]
-fn an_entry_for_no_operation_is_reported_with_the_operations_there_are() {
-    let control = control::by_name("siemens").expect("a control");
-    let only = |keys: &str| {
-        let mut found = faults(control, keys);
-        assert_eq!(found.len(), 1, "{found:?}");
-        let fault = found.remove(0);
-        (fault.severity, fault.text, fault.help.unwrap_or_default())
-    };
-    let all = "1 ROUGH FACE, 2 Finish Blade, 3 Finish Blade, 4 BOSS";
-    let (severity, text, help) = only("[operations.5]\nmode = 'tcp'\n");
-    assert_eq!(severity, Severity::Error);
-    assert_eq!(text, "`[operations.5]` of the configuration is for no operation of the CL data");
-    assert_eq!(help, format!("the operations are {all}"));
-    let (severity, _, help) = only("[operations.'finish blad']\nmode = 'tcp'\n");
-    assert_eq!((severity, help), (Severity::Error, format!("did you mean `Finish Blade`? The operations are {all}")));
-    // A pattern may serve several programs.
-    assert!(faults(control, "[operations.'SEMI*']\nmode = 'tcp'\n").is_empty());
-    let (program, report) = post_with(&config(control, "[operations.'SEMI*']\nmode = 'tcp'\n"), control, CL);
-    assert!(!report.failed, "{program}");
-}
-
-#[test]
-fn the_header_and_the_summary_state_the_settings_that_differ() {
-    let control = control::by_name("siemens").expect("a control");
-    let keys = "[operations.'finish*']\nmode = 'axes'\nsmoothing = 'finish'\ntolerance = 0.02\n[operations.4]\nmode = 'plane'\n\
-                singular = 'previous'\nlargest_feed = 300\n[operations.1]\nmode = 'axes'\n";
-    let (program, report) = post_with(&config(control, keys), control, CL);
-    for line in [
-        "operations 2 Finish Blade, 3 Finish Blade: smoothing finish, tolerance 0.02 mm",
-        "operation 4 BOSS: mode plane, singular previous, feed at most 300 mm/min",
-    ] {
-        assert!(report.summary().iter().any(|found| found == line), "{:?}", report.summary());
-        assert!(program.contains(line), "{program}");
-    }
-    assert!(!program.contains("operation 1 "), "{program}");
-}
-
-#[test]
-fn settings_hold_for_an_operation_that_is_posted_alone() {
-    let control = control::by_name("haas").expect("a control");
-    let keys = "[operations.1]\nsmoothing = 'rough'\n[operations.2]\nsmoothing = 'finish'\nlargest_feed = 222.0\n";
-    for (first, last) in [(1, 1), (2, 2), (2, 3), (3, 4)] {
-        let mut config = config(control, keys);
-        config.motion.selected = Some(pp_runtime::config::Operations::Range(first, Some(last)));
-        let program = posted::<SpinnerU5620>(&config, control, CL);
-        let levels = [program.contains("G187 P1"), program.contains("G187 P3")];
-        assert_eq!(levels, [first == 1, first <= 2 && last >= 2], "{program}");
-    }
 }
 
 #[test]
