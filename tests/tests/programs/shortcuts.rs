@@ -46,7 +46,7 @@ fn seen<M: Machine>(config: &Config, control: &'static dyn Control, cl: &str, se
         let checked = check::<M>(&policy, Cursor::new(cl), program).expect("it can be read");
         let findings = checked.outcome.findings.iter().map(|finding| format!("{:?}", finding.diagnostic()));
         let fault = checked.fault.iter().map(|fault| format!("{fault:?}"));
-        checked.outcome.summary().into_iter().chain(findings).chain(fault).collect()
+        [checked.outcome.summary()].into_iter().chain(findings).chain(fault).collect()
     };
     let mut said = report.summary();
     said.extend(report.diagnostics.iter().map(|diagnostic| format!("{diagnostic:?}")));

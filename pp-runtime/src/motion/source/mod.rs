@@ -234,8 +234,15 @@ impl Expansion<'_> {
         }
     }
 
-    /// Hands on a straight motion. A rapid before the first tool only sets the start angles of the rotary axes.
+    /// Hands on a straight motion.
+    #[inline]
     fn line<S: Stage>(&mut self, motion: &Move, part: LinePart, to: &mut S) -> Result<(), S::Stop> {
+        if self.operations.between() { self.first_line(motion, part, to) } else { self.single_line(motion, part, to) }
+    }
+
+    /// Hands on a straight motion between two operations. A rapid before the first tool only sets the start angles of the rotary
+    /// axes.
+    fn first_line<S: Stage>(&mut self, motion: &Move, part: LinePart, to: &mut S) -> Result<(), S::Stop> {
         if self.operations.passes_over(motion) {
             if self.operations.first_passed_over() {
                 let remark = Fault::new("this rapid is left out of the program: it comes before the first tool, and no length offset is active yet")
@@ -259,6 +266,7 @@ impl Expansion<'_> {
         self.single_line(motion, part, to)
     }
 
+    #[inline]
     fn single_line<S: Stage>(&mut self, motion: &Move, part: LinePart, to: &mut S) -> Result<(), S::Stop> {
         let index = self.operations.line(motion);
         self.begin(index, to)?;
