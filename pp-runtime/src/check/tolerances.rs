@@ -122,8 +122,7 @@ crate::tolerance::tolerances! {
         "in a tilted plane both ends of CL data with three decimals are up to 0.87 µm off", equals IN_CUTTER_PLANE;
 
     /// Length above which a retract leads out.
-    LEADS_OUT: f64 = 1e-3, "mm", "the last digit of CL data",
-        alone "LED_OUT of motion is smaller: a retract between both is found";
+    LEADS_OUT: f64 = 1e-3, "mm", "the last digit of CL data", equals LEADS_OUT;
 
     /// Largest distance between equal levels of a hole.
     SAME_LEVEL: f64 = 1e-9, "mm", "sums of steps: rounding of arithmetic", equals SAME_LEVEL;

@@ -174,9 +174,11 @@ crate::tolerance::tolerances! {
     IN_CUTTER_PLANE: f64 = 2e-3, "mm",
         "in a tilted plane both ends of CL data with three decimals are up to 0.87 µm off", equals IN_CUTTER_PLANE;
 
-    /// Length that a retract may lack, and above which the CL data leads the tool out.
-    LED_OUT: f64 = 1e-6, "mm", "rounding of sums",
-        alone "LEADS_OUT of the check asks for more: a shorter lead-out is posted with a remark, and then found";
+    /// Length that a retract may lack.
+    LED_OUT: f64 = 1e-6, "mm", "rounding of sums", alone "the check allows the rounding of the words";
+
+    /// Length above which a motion of the CL data along the tool axis leads the tool out.
+    LEADS_OUT: f64 = 1e-3, "mm", "the last digit of CL data", equals LEADS_OUT;
 
     /// Smallest depth of a rapid below the lowest cut that gets a remark.
     DEEP_PLUNGE: f64 = 1e-3, "mm", "the last digit of CL data", alone "it is a remark of the planner";

@@ -13,8 +13,8 @@ use tests::binaries::workspace;
 /// Modules that each module of pp-runtime may use; the lower layers come first.
 const RUNTIME: &[(&str, &[&str])] = &[
     ("tolerance", &[]),
-    ("kinematics", &[]),
     ("shortcut", &[]),
+    ("kinematics", &[]),
     ("program", &["kinematics"]),
     ("diag", &["program"]),
     ("keys", &["diag", "kinematics", "program"]),

@@ -427,7 +427,8 @@ impl Comparison<'_> {
         (bound.tip_mm <= tip_mm && bound.axis_rad <= axis_rad).then_some(bound)
     }
 
-    /// The bounds of a straight block on a straight motion; one for the tip of `enough_mm` or less need not be the smallest.
+    /// The bounds of a straight block on a straight motion; one for the tip of `enough_mm` or less need not be the smallest. `None`
+    /// where the rotary axes rest, so that the tip goes straight.
     fn bound_of_line(
         &self,
         current: &Current<'_>,
@@ -437,7 +438,8 @@ impl Comparison<'_> {
     ) -> Option<DeviationBound> {
         let block = current.block;
         let by_axes = self.previous.at_part && !self.rules.policy().words.axis_in_plane;
-        if !block.action.is_feed() || !by_axes || block.state.has_frame() {
+        let rests = self.rules.words().rotary_travel(&self.previous.words, &block.values) <= 0.0;
+        if !block.action.is_feed() || !by_axes || block.state.has_frame() || rests {
             return None;
         }
         let along = self.progress.along();

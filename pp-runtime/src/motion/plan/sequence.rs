@@ -23,7 +23,7 @@ use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::Next;
 use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step, ToolRoutine};
-use crate::motion::tolerances::{LED_OUT, ON_LINE, SAME_AXIS};
+use crate::motion::tolerances::{LEADS_OUT, LED_OUT, ON_LINE, SAME_AXIS};
 
 impl<S: Sink> Planner<'_, S> {
     /// Step 1 and the first half of 2, if the tool is at the part.
@@ -53,7 +53,7 @@ impl<S: Sink> Planner<'_, S> {
             }
             Some(_) => {}
             None if self.mover.retracts_along_tool() => {}
-            None if led_out > LED_OUT => self.check_lead_out(led_out),
+            None if led_out > LEADS_OUT => self.check_lead_out(led_out),
             None => {
                 return Err(Fault::new(
                     "the tool has to leave the part here, but the CL data before this line does not retract it along its \
