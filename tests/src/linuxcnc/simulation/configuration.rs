@@ -16,18 +16,24 @@ use pp_runtime::transformation::linuxcnc::ModuleFile;
 use super::super::module;
 use super::component::{self, Table};
 
-/// Cycle of the servo thread, ns.
-const SERVO_PERIOD: u32 = 1_000_000;
+/// Cycle of the servo thread, s: a quarter of the usual one. Each block waits for some cycles, so a program takes a quarter of the
+/// time; the task has the same cycle, so that it follows.
+pub const SERVO_PERIOD: f64 = 0.25e-3;
 
 /// Speed of every axis, mm/s and deg/s: high, so that a test need not wait.
 const SPEED: f64 = 1e5;
+
+/// Cycle of the servo thread, ns.
+fn nanoseconds() -> u32 {
+    (SERVO_PERIOD * 1e9).round() as u32
+}
 
 /// Travel limit of a coordinate without a joint, mm and degrees.
 const UNLIMITED: f64 = 1e5;
 
 /// Time from "machine in position" to "joints in position", seconds of the servo thread: the joint interpolator lags by
 /// four cycles.
-const SETTLING: f64 = 0.008;
+const SETTLING: f64 = 8.0 * SERVO_PERIOD;
 
 /// A separate command for an output that nothing reads: after it, everything before it has been planned.
 ///
@@ -51,7 +57,7 @@ pub(super) fn switch(kinematics: u32) -> String {
 }
 
 /// How many times faster than commanded the spindle turns, so that a thread is cut while a test waits.
-pub const SPINDLE_SCALE: f64 = 4.0;
+pub const SPINDLE_SCALE: f64 = 16.0;
 
 /// Kinematics of a machine, switched between joints as axes and tip control.
 #[derive(Debug, Clone)]
@@ -128,6 +134,9 @@ impl Control {
             Some(("DISPLAY", _)) => format!("DISPLAY = linuxcncrsh --port {port}\n"),
             // A busy computer delays the control.
             Some(("COMM_TIMEOUT", _)) => "COMM_TIMEOUT = 10\n".to_owned(),
+            Some(("MAX_FEED_OVERRIDE", _)) => "MAX_FEED_OVERRIDE = 100\n".to_owned(),
+            Some(("SERVO_PERIOD", _)) => format!("SERVO_PERIOD = {}\n", nanoseconds()),
+            Some(("CYCLE_TIME", _)) => format!("CYCLE_TIME = {SERVO_PERIOD}\n"),
             Some(("PARAMETER_FILE", _)) => "PARAMETER_FILE = params.var\n".to_owned(),
             Some(("HALFILE", file)) => format!("HALFILE = {file}\nHALFILE = harness.hal\n"),
             Some((key, _)) if key.contains("ACCELERATION") => format!("{key} = {}\n", self.acceleration),
@@ -188,15 +197,16 @@ impl Control {
              [DISPLAY]\nDISPLAY=linuxcncrsh --port {port}\nMAX_FEED_OVERRIDE=100\n\
              [RS274NGC]\nPARAMETER_FILE=params.var\nSUBROUTINE_PATH=.\n\
              REMAP=M428 modalgroup=10 ngc=m428\nREMAP=M429 modalgroup=10 ngc=m429\n\
-             [EMCMOT]\nEMCMOT=motmod\nSERVO_PERIOD={SERVO_PERIOD}\nCOMM_TIMEOUT=10\n\
-             [TASK]\nTASK=milltask\nCYCLE_TIME=0.001\n\
+             [EMCMOT]\nEMCMOT=motmod\nSERVO_PERIOD={period}\nCOMM_TIMEOUT=10\n\
+             [TASK]\nTASK=milltask\nCYCLE_TIME={SERVO_PERIOD}\n\
              [HAL]\nHALFILE=machine.hal\n\
-             [EMCIO]\nEMCIO=io\nCYCLE_TIME=0.01\nTOOL_TABLE=tool.tbl\n\
+             [EMCIO]\nEMCIO=io\nCYCLE_TIME={SERVO_PERIOD}\nTOOL_TABLE=tool.tbl\n\
              [TRAJ]\nCOORDINATES={letters}\nLINEAR_UNITS=mm\nANGULAR_UNITS=degree\n\
              DEFAULT_LINEAR_VELOCITY={SPEED}\nMAX_LINEAR_VELOCITY={SPEED}\n\
              DEFAULT_LINEAR_ACCELERATION={acceleration}\nMAX_LINEAR_ACCELERATION={acceleration}\n\
              DEFAULT_ANGULAR_VELOCITY={SPEED}\nMAX_ANGULAR_VELOCITY={SPEED}\n\
              [KINS]\nKINEMATICS={kinematics}{arguments}\nJOINTS={joints}\n",
+            period = nanoseconds(),
             letters = self.letters,
             acceleration = self.acceleration,
             kinematics = self.module(),
@@ -219,7 +229,7 @@ impl Control {
         let joints = self.letters.len();
         let mut hal = format!(
             "loadrt [KINS]KINEMATICS\n\
-             loadrt motmod servo_period_nsec={SERVO_PERIOD} num_joints={joints} num_dio=1 num_aio=4\n\
+             loadrt motmod servo_period_nsec={} num_joints={joints} num_dio=1 num_aio=4\n\
              loadrt timedelay\nloadrt sim_spindle\n\
              loadrt sampler depth=16000 cfg=fb{}\n\
              addf motion-command-handler servo-thread\naddf motion-controller servo-thread\n\
@@ -237,6 +247,7 @@ impl Control {
              net length motion.tooloffset.z {}.tool-offset\n\
              net wanted motion.analog-out-03 motion.switchkins-type\n\
              net mark motion.analog-out-00 sampler.0.pin.0\n",
+            nanoseconds(),
             "f".repeat(2 * joints),
             self.module(),
         );

@@ -20,7 +20,7 @@ use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 pub use component::{Rotation, Table, can_be_loaded};
-pub use configuration::{Control, Kinematics, SPINDLE_SCALE, Tool};
+pub use configuration::{Control, Kinematics, SERVO_PERIOD, SPINDLE_SCALE, Tool};
 pub use marks::{MarkKinematics, Reached};
 use marks::{Samples, marked};
 use shell::Shell;

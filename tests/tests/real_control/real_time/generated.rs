@@ -12,11 +12,12 @@ use pp_runtime::nalgebra;
 use pp_runtime::transformation::linuxcnc::files;
 use tests::linuxcnc::can_be_simulated;
 use tests::linuxcnc::module::can_be_compiled;
-use tests::linuxcnc::simulation::{Control, Kinematics, Reached, Simulation, can_be_loaded};
+use tests::linuxcnc::simulation::{Control, Kinematics, Reached, SERVO_PERIOD, Simulation, can_be_loaded};
 use tests::oracle::{Oracle, angle_between};
 
 use super::kinematics::{
-    ACCELERATION, AXIS, JOINT, LENGTH, Run, TIP, WORK_OFFSET, larger, largest_difference, points, run, set_up,
+    ACCELERATION, AXIS, FEED_OVERRIDE, JOINT, LENGTH, Run, TIP, WORK_OFFSET, larger, largest_difference, points, run,
+    set_up,
 };
 
 machine! {
@@ -88,7 +89,7 @@ fn control<Module: Machine>(letters: &'static str) -> Control {
         travel: Vec::new(),
         tools: Vec::new(),
         acceleration: ACCELERATION,
-        feed_override: 100,
+        feed_override: FEED_OVERRIDE,
     }
 }
 
@@ -166,14 +167,20 @@ fn assert_runs<M: Machine>(letters: &'static str) {
 /// Largest speeds, mm/min and deg/min, that a program must hold.
 const SPEEDS: [(char, f64); 5] = [('X', 9_000.0), ('Y', 9_000.0), ('Z', 7_200.0), ('B', 2_700.0), ('C', 3_600.0)];
 
+/// How many times faster than that the machine of this test moves, by its speeds and by the feed override, so that it need not wait.
+const FASTER: f64 = 10.0;
+
 #[test]
 fn joints_keep_their_speeds_under_tip_control() {
     if !possible() {
         return;
     }
     let mut config = set_up(Mode::Tcp);
-    let in_radians = |letter: char, speed: f64| if "BC".contains(letter) { speed.to_radians() } else { speed };
-    config.set_up.speeds = SPEEDS.map(|(letter, speed)| (letter, in_radians(letter, speed))).into();
+    let speeds = |scale: f64| {
+        let in_radians = |letter: char, speed: f64| if "BC".contains(letter) { speed.to_radians() } else { speed };
+        SPEEDS.map(|(letter, speed)| (letter, scale * in_radians(letter, speed))).into()
+    };
+    config.set_up.speeds = speeds(FASTER);
     config.motion.tip.tcp_confirmed = true;
     // Exact path: where LinuxCNC rounds a corner, it adds the speeds of two blocks, with the unlimited acceleration of this test
     // in one cycle.
@@ -181,16 +188,17 @@ fn joints_keep_their_speeds_under_tip_control() {
     config.control.safety = Some(vec![exact]);
     let machine = config.set_up.machine::<Nutating>().expect("valid");
     let files = files(&machine, &config).expect("LinuxCNC can express it");
-    let mut simulation =
-        Simulation::start(&Control { kinematics: Kinematics::Generated(files), ..control::<Nutating>("XYZBC") })
-            .unwrap_or_else(|error| panic!("{error}"));
-    // Of the speed, over one servo cycle of a millisecond: the sampler has six decimals. With the line and the axis.
+    let faster = Control { kinematics: Kinematics::Generated(files), ..control::<Nutating>("XYZBC") };
+    let faster = Control { feed_override: 100 * FASTER as u32, ..faster };
+    let mut simulation = Simulation::start(&faster).unwrap_or_else(|error| panic!("{error}"));
+    config.set_up.speeds = speeds(1.0);
+    // Of the speed, over one servo cycle: the sampler has six decimals. With the line and the axis.
     let fastest = |run: &Run| {
         let cycles = run.reached.iter().flat_map(|reached| {
             reached.way.windows(2).zip(reached.cycles.windows(2)).map(|(joints, cycles)| (reached.line, joints, cycles))
         });
         let shares = cycles.flat_map(|(line, joints, cycles)| {
-            let minutes = (cycles[1] - cycles[0]) as f64 / 60_000.0;
+            let minutes = (cycles[1] - cycles[0]) as f64 * FASTER * SERVO_PERIOD / 60.0;
             let joints = joints[0].iter().zip(&joints[1]).zip(SPEEDS);
             let share = |((before, after), (letter, speed)): ((&f64, &f64), (char, f64))| {
                 ((after - before).abs() / (speed * minutes), line, letter)

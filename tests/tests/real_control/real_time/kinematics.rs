@@ -76,6 +76,9 @@ pub(crate) const WORK_OFFSET: [f64; 3] = [-35.0, 20.5, -390.0];
 /// Acceleration of the axes, mm/s² and deg/s²: so high that a test need not wait.
 pub(crate) const ACCELERATION: f64 = 1e8;
 
+/// Feed override, percent: a test does not wait for the feeds of the part.
+pub(crate) const FEED_OVERRIDE: u32 = 1000;
+
 /// Rounding of a word with three decimals, mm.
 const ROUNDED: f64 = 0.5e-3;
 
@@ -130,7 +133,7 @@ fn control<M: Machine>(kinematics: &'static str, letters: &'static str) -> Contr
         travel,
         tools: vec![Tool { number: 1, length: LENGTH, diameter: 10.0 }],
         acceleration: ACCELERATION,
-        feed_override: 100,
+        feed_override: FEED_OVERRIDE,
     }
 }
 

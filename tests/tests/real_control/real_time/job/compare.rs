@@ -7,7 +7,7 @@ use approx::abs_diff_eq;
 use nalgebra::{Point3, Vector3};
 use pp_runtime::kinematics::{Pose, PoseTolerance};
 use tests::block::{angle_to_arc, distance_to_line};
-use tests::linuxcnc::simulation::SPINDLE_SCALE;
+use tests::linuxcnc::simulation::{SERVO_PERIOD, SPINDLE_SCALE};
 use tests::oracle::angle_between;
 
 use super::super::kinematics::{AXIS, TIP, largest};
@@ -42,7 +42,7 @@ const RADIUS: f64 = 5.0;
 const PROBES: u32 = 200;
 
 /// Servo cycle, minutes.
-const CYCLE: f64 = 1e-3 / 60.0;
+const CYCLE: f64 = SERVO_PERIOD / 60.0;
 
 /// What has been compared.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

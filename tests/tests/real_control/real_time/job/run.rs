@@ -23,10 +23,10 @@ const TOOLS: [Tool; 4] = [
 
 /// Acceleration of the axes, mm/s² and deg/s²: in a thread the control corrects the error of a servo cycle with it, and at a
 /// much higher one it never settles.
-const ACCELERATION: f64 = 1e5;
+const ACCELERATION: f64 = 1.6e6;
 
 /// Feed override, percent: a test does not wait for the feeds of the job.
-pub(super) const FEED_OVERRIDE: u32 = 1000;
+pub(super) const FEED_OVERRIDE: u32 = 4000;
 
 /// The zero of each set-up from the reference point of the table, mm, and its rotation about Z, degrees.
 const SET_UPS: [([f64; 3], f64); 2] = [([0.0, 0.0, 50.0], 0.0), ([5.0, 0.0, 60.0], 90.0)];
