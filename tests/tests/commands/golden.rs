@@ -1,6 +1,6 @@
 //! Golden programs: short parts, posted for each machine that suits them and compared byte for byte.
 //!
-//! `PP_BLESS=1 cargo test -p tests --test commands golden::` rewrites the programs; read every changed line before it is
+//! `PP_BLESS=1 cargo test --workspace --test commands golden::` rewrites the programs; read every changed line before it is
 //! committed. The parts and their features:
 //!
 //! | part | holds |

@@ -1,6 +1,6 @@
 //! The machines' binaries as people run them, and other programs that are started: cargo, a checker of another project.
 //!
-//! A suite is a module: `cargo test -p tests --test commands golden::` runs one.
+//! A suite is a module: `cargo test --workspace --test commands golden::` runs one.
 
 mod cli;
 mod config_files;

@@ -1,7 +1,7 @@
 //! Machines: equations of the papers, chains of every class, kinematics in C, parameters for controls that have a
 //! transformation of their own.
 //!
-//! A suite is a module: `cargo test -p tests --test kinematics chains::` runs one.
+//! A suite is a module: `cargo test --workspace --test kinematics chains::` runs one.
 
 mod c_header;
 mod chains;

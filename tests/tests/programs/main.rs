@@ -1,6 +1,6 @@
 //! Programs in memory: posted, read back, damaged and checked on all machines, controls and modes.
 //!
-//! A suite is a module: `cargo test -p tests --test programs edits::` runs one. Nothing here runs another program, except the
+//! A suite is a module: `cargo test --workspace --test programs edits::` runs one. Nothing here runs another program, except the
 //! LinuxCNC interpreter in `edits`.
 
 mod architecture;

@@ -1,18 +1,20 @@
 //! Shortcuts off and on: program, summary and findings are the same, whichever of them are taken.
 //!
 //! Every golden program and random jobs are posted and checked with all shortcuts, with each one off, with all off, and with each
-//! one alone. So is a damaged copy of each program, which has findings. `PP_SHORTCUTS=N` sets the number of random jobs.
+//! one alone. So are damaged copies of each program, which have findings. `PP_SHORTCUTS=N` sets the number of random jobs.
 
 use std::collections::BTreeMap;
 use std::io::Cursor;
 
+use machines::SpinnerU5620;
 use pp_runtime::check::check;
-use pp_runtime::config::Config;
+use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::Control;
 use pp_runtime::kinematics::Machine;
 use pp_runtime::post::{Job, post};
 use pp_runtime::shortcut::{Shortcut, without};
 use tests::binaries::golden_programs;
+use tests::by_name;
 use tests::damage::damage;
 use tests::environment;
 use tests::golden::Golden;
@@ -32,7 +34,7 @@ struct Seen {
     report: Vec<String>,
     /// Summary and findings of the check, and the fault of the CL data.
     checked: Vec<String>,
-    /// The same of a damaged program.
+    /// The same of damaged programs.
     damaged: Vec<String>,
 }
 
@@ -42,7 +44,7 @@ fn seen<M: Machine>(config: &Config, control: &'static dyn Control, cl: &str, se
     let mut program = Vec::new();
     let report = post::<M>(&job, &mut Cursor::new(cl), &mut program).expect("memory can be written");
     let policy = config.check_policy::<M>(control, None).expect("it can be checked");
-    let checked = |program: &[u8]| {
+    let checked = |program: &[u8]| -> Vec<String> {
         let checked = check::<M>(&policy, Cursor::new(cl), program).expect("it can be read");
         let findings = checked.outcome.findings.iter().map(|finding| format!("{:?}", finding.diagnostic()));
         let fault = checked.fault.iter().map(|fault| format!("{fault:?}"));
@@ -50,13 +52,25 @@ fn seen<M: Machine>(config: &Config, control: &'static dyn Control, cl: &str, se
     };
     let mut said = report.summary();
     said.extend(report.diagnostics.iter().map(|diagnostic| format!("{diagnostic:?}")));
-    let (faulty, _) = damage(&program, &mut Random::new(seed));
     Seen {
         checked: checked(&program),
-        damaged: checked(&faulty),
+        damaged: damaged(&program, seed).iter().flat_map(|program| checked(program)).collect(),
         program: String::from_utf8(program).expect("ASCII"),
         report: said,
     }
+}
+
+/// The program with a random fault, with a digit more in one of its F words, and with the spindle off at a place in its middle.
+fn damaged(program: &[u8], seed: u64) -> [Vec<u8>; 3] {
+    let random = &mut Random::new(seed);
+    let (faulty, _) = damage(program, random);
+    let is_feed = |at: &usize| program[*at] == b'F' && program[*at + 1].is_ascii_digit() && program[*at - 1] == b' ';
+    let feeds: Vec<usize> = (1..program.len() - 1).filter(is_feed).collect();
+    let feed = feeds.get(random.below(feeds.len().max(1))).map_or(program.len(), |at| at + 1);
+    let middle = program.len() / 3 + random.below(program.len() / 3);
+    let line = program[middle..].iter().position(|byte| *byte == b'\n').map_or(program.len(), |end| middle + end + 1);
+    let with = |at: usize, text: &[u8]| [&program[..at], text, &program[at..]].concat();
+    [faulty, with(feed, b"1"), with(line, b"M5\n")]
 }
 
 /// Sets of shortcuts that are off, each with its name.
@@ -124,6 +138,30 @@ fn golden_programs_are_the_same_with_and_without_shortcuts() {
 #[test]
 fn the_other_golden_programs_are_the_same_with_and_without_shortcuts() {
     golden_half(1);
+}
+
+/// A motion whose tip would leave its line between its ends in one block, and arcs that leave the travel of X between theirs.
+#[test]
+fn motions_that_bounds_decide_are_the_same_with_and_without_shortcuts() {
+    let curved = "GOTO/20,0,0,0,0,1\nGOTO/60,30,10,0.5,0,0.8660254\nGOTO/10,40,10,0,0.7071068,0.7071068\n";
+    let inside = "GOTO/20,0,0,0,0,1\nCIRCLE/0,0,0,0,0,1,20\nGOTO/0,20,0\nCIRCLE/0,0,0,0,0,1,20\nGOTO/-20,0,0\n";
+    let outside = "GOTO/24,7,0,0,0,1\nCIRCLE/0,0,0,0,0,1,25\nGOTO/24,-7,0\n";
+    let mut refused = 0;
+    for path in [curved, inside, outside] {
+        let cl = format!(
+            "UNITS/MM\nLOADTL/1,LENGTH,100\nSPINDL/RPM,2000,CLW\nFEDRAT/MMPM,300\nRAPID\nGOTO/20,0,50,0,0,1\n{path}RAPID\nGOTO/0,0,90\nFINI\n"
+        );
+        for control in by_name::controls() {
+            let control = by_name::control(control);
+            let keys = "part_origin = [0.0, 0.0, 0.0]\nlimits.X = [-500.0, 24.5]\ncl.circle_sense = \"ccw\"\n";
+            let keys = if path == curved { "part_origin = [0.0, 0.0, 0.0]\n" } else { keys };
+            let config = starting_point(control).read_over(&SpinnerU5620::default(), keys).expect("it is valid");
+            let see = || seen::<SpinnerU5620>(&config, control, &cl, 3);
+            refused += u32::from(see().report.iter().any(|line| line.contains("travel") || line.contains("limit")));
+            assert_eq!(differing(see), Vec::<String>::new(), "{path}");
+        }
+    }
+    assert_eq!(refused, 5, "the arc that leaves the travel is refused");
 }
 
 #[test]

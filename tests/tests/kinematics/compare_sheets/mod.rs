@@ -3,7 +3,7 @@
 //!
 //! The sheets are read as they are printed. The models here are written from the manuals and share no code with the sheets.
 //!
-//! `PP_BLESS=1 cargo test -p tests --test kinematics compare_sheets::` rewrites the sheets in tests/data/kinematics; read every changed
+//! `PP_BLESS=1 cargo test --workspace --test kinematics compare_sheets::` rewrites the sheets in tests/data/kinematics; read every changed
 //! line before it is committed.
 
 mod chains;

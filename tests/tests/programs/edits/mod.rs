@@ -5,7 +5,7 @@
 //! is chosen by control, then by the state of the control, then by the line, so that rare states are met as often as
 //! frequent ones.
 //!
-//! `PP_EDITS=20000 PP_EDITS_SEED=7 cargo test -p tests --test programs edits:: --release -- --nocapture` makes more edits;
+//! `PP_EDITS=20000 PP_EDITS_SEED=7 cargo test --workspace --test programs edits:: --release -- --nocapture` makes more edits;
 //! `PP_EDITS_REPORT=path` writes every edit that is missed or falsely found, grouped; their files are in `path.files`.
 
 mod corpus;
