@@ -150,9 +150,9 @@ impl Outcome {
     }
 }
 
-/// A number with two significant digits.
+/// A number with two significant digits; 0 where the first decimal would be.
 fn short(value: f64) -> String {
-    if value >= 9.95 || value == 0.0 { format!("{value:.0}") } else { format!("{value:.1}") }
+    if !(0.05..9.95).contains(&value) { format!("{value:.0}") } else { format!("{value:.1}") }
 }
 
 /// A block as shown in a finding: its line in the program and its text.

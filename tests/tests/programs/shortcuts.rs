@@ -145,7 +145,7 @@ fn the_other_golden_programs_are_the_same_with_and_without_shortcuts() {
 fn motions_that_bounds_decide_are_the_same_with_and_without_shortcuts() {
     let curved = "GOTO/20,0,0,0,0,1\nGOTO/60,30,10,0.5,0,0.8660254\nGOTO/10,40,10,0,0.7071068,0.7071068\n";
     let inside = "GOTO/20,0,0,0,0,1\nCIRCLE/0,0,0,0,0,1,20\nGOTO/0,20,0\nCIRCLE/0,0,0,0,0,1,20\nGOTO/-20,0,0\n";
-    let outside = "GOTO/24,7,0,0,0,1\nCIRCLE/0,0,0,0,0,1,25\nGOTO/24,-7,0\n";
+    let outside = "GOTO/24,-7,0,0,0,1\nCIRCLE/0,0,0,0,0,1,25\nGOTO/24,7,0\n";
     let mut refused = 0;
     for path in [curved, inside, outside] {
         let cl = format!(
