@@ -237,6 +237,20 @@ pub struct ToolCall {
     pub corner_radius_mm: Option<f64>,
 }
 
+impl ToolCall {
+    /// The call with what it leaves out from another call of the tool.
+    #[must_use]
+    pub(crate) fn completed_by(self, other: &Self) -> Self {
+        Self {
+            number: self.number,
+            length_mm: self.length_mm.or(other.length_mm),
+            length_offset: self.length_offset.or(other.length_offset),
+            diameter_mm: self.diameter_mm.or(other.diameter_mm),
+            corner_radius_mm: self.corner_radius_mm.or(other.corner_radius_mm),
+        }
+    }
+}
+
 /// One straight motion of the tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Move {

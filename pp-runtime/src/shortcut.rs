@@ -1,11 +1,7 @@
 //! Shortcuts: fast paths beside plain ones, each with its name.
 //!
-//! A shortcut gives the bytes, findings and figures of the plain path, only sooner. Each is worth 5 % or more of the instructions
-//! of the files that it is for (`docs/notes-on-speed.md` has the figures); a fast path that is worth less is deleted. This is the
-//! list of all of them: a fast path without its name here is an error of its author.
-//!
-//! In a build with debug assertions a test may switch shortcuts off, in its own thread: [`without`]. In other builds every
-//! shortcut is on, and nothing is asked.
+//! A shortcut gives the bytes, findings and figures of the plain path, only sooner (`docs/notes-on-speed.md` says how much). A fast
+//! path without its name here is an error. With debug assertions a test may switch shortcuts off, in its own thread: [`without`].
 
 #[cfg(debug_assertions)]
 use std::cell::Cell;
@@ -71,8 +67,12 @@ impl Shortcut {
 /// Runs with these shortcuts off, in this thread.
 #[cfg(debug_assertions)]
 pub fn without<T>(off: &[Shortcut], run: impl FnOnce() -> T) -> T {
-    let before = OFF.replace(off.iter().fold(0, |bits, shortcut| bits | 1 << *shortcut as u32));
-    let done = run();
-    OFF.set(before);
-    done
+    struct Restored(u32);
+    impl Drop for Restored {
+        fn drop(&mut self) {
+            OFF.set(self.0);
+        }
+    }
+    let _restored = Restored(OFF.replace(off.iter().fold(0, |bits, shortcut| bits | 1 << *shortcut as u32)));
+    run()
 }

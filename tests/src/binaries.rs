@@ -90,7 +90,8 @@ pub fn binary(name: &str) -> Command {
     Command::new(path)
 }
 
-/// Builds the binaries with the profile of the running test, into the parent folder of the test.
+/// Builds the binaries with the profile of the running test, into the parent folder of the test. Of the whole workspace, whose
+/// features are those of the tests: the runtime is not compiled again.
 fn build() -> PathBuf {
     let test = std::env::current_exe().expect("the path of the running test");
     // TARGET/PROFILE/deps/TEST
@@ -102,8 +103,12 @@ fn build() -> PathBuf {
     };
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut build = Command::new(cargo);
-    build.current_dir(workspace()).args(["build", "--quiet", "-p", "machines", "--bins", "--profile", profile]);
+    build.current_dir(workspace()).args(["build", "--quiet", "--workspace", "--profile", profile]);
     build.arg("--target-dir").arg(target);
+    for binary in fs::read_dir(workspace().join("machines/src/bin")).expect("the machines") {
+        let path = binary.expect("an entry").path();
+        build.arg("--bin").arg(path.file_stem().expect("a name"));
+    }
     let status = build.status().expect("cargo can be run");
     assert!(status.success(), "the binaries do not build");
     directory

@@ -10,7 +10,7 @@ use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
 use std::thread::{self, JoinHandle};
 
 use super::dialect::Dialect;
-use super::meaning::{ArcVote, QueuedEvent, ReadingOptions};
+use super::meaning::{ArcVote, FrameVote, QueuedEvent, ReadingOptions};
 use super::reader::{ClReader, ReadSeek};
 use super::text::Span;
 use crate::diag::Diagnostic;
@@ -39,8 +39,8 @@ pub(crate) struct FileFacts {
     pub(crate) states_frame: bool,
     pub(crate) dialect: Dialect,
     pub(crate) arcs: ArcVote,
-    /// Number of different frames.
-    pub(crate) frames: usize,
+    /// How the points after frames other than the first are read.
+    pub(crate) frames: FrameVote,
     /// Number of changes of CSYS.
     pub(crate) setup_changes: u64,
     /// The CL data asks for inverse-time feed.
@@ -62,7 +62,7 @@ impl FileFacts {
             states_frame: reader.frame().is_some(),
             dialect: reader.dialect(),
             arcs: reader.arcs(),
-            frames: reader.different_frames(),
+            frames: reader.frame_vote(),
             setup_changes: reader.setup_changes(),
             inverse_time: reader.asks_for_inverse_time(),
             lines: reader.lines(),

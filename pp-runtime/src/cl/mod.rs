@@ -43,7 +43,8 @@ mod tests;
 pub use self::dialect::Dialect;
 pub(crate) use self::events::{ClData, ClEvents, FileFacts, FromHere};
 pub use self::meaning::{
-    ArcVote, CycleArg, FeedLabel, Frames, Insert, ReadingOptions, Sense, SetUpBegins, StatedFrame, ToolArg,
+    ArcVote, CycleArg, FeedLabel, FrameVote, Frames, Insert, ReadingOptions, Sense, SetUpBegins, StatedFrame,
+    StatedTool, ToolArg,
 };
 pub use self::reader::{ClReader, ReadSeek};
 pub use self::record::{OwnStatement, Record, list as list_words, not_inert};

@@ -5,7 +5,7 @@ use std::io::{self, Read, Seek};
 use super::diagnostics::Faults;
 use super::dialect::Dialect;
 use super::events::{Batch, FileFacts, More, NO_EVENT};
-use super::meaning::{ArcVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame};
+use super::meaning::{ArcVote, FrameVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame};
 use super::record::{
     CIRCLE, CIRCLE_NUMBERS, CatiaMatrix, GOTO, MotionRecord, Record, SubprogramRecord, comment_dialect, joined_goto,
     joined_record, next_circle, next_goto, parse, read_comment, record_dialect,
@@ -236,7 +236,8 @@ impl<R: Read> ClReader<R> {
         let fault = match self.interpreter.end_arc(&point, here) {
             Some(Ok(arc)) => {
                 self.note_faults_of_line(Ok(()), line);
-                return NextMotion::Motion(here, arc);
+                // With this cut two statements about its tool may have met.
+                return if self.faults.failed() { NextMotion::Taken } else { NextMotion::Motion(here, arc) };
             }
             Some(Err(fault)) => Err(fault),
             None => self.interpreter.take(&Record::Motion(MotionRecord::Goto(point)), here),
@@ -261,7 +262,7 @@ impl<R: Read> ClReader<R> {
     /// Notes what is wrong with the record of the line read last, and its warnings.
     #[inline(always)]
     fn note_faults_of_line(&mut self, taken: Result<(), ClFault>, line: PhysicalLine) {
-        if taken.is_err() || self.interpreter.has_warnings() {
+        if taken.is_err() || self.interpreter.has_faults() {
             let statement = self.lexer.last_line(line);
             self.statement = Some(statement);
             self.note_faults(taken, &statement);
@@ -274,8 +275,11 @@ impl<R: Read> ClReader<R> {
         if let Err(fault) = taken {
             self.faults.add(fault, statement, &self.lexer);
         }
-        for warning in self.interpreter.take_warnings() {
-            self.faults.add(warning, statement, &self.lexer);
+        for (location, fault) in self.interpreter.take_faults() {
+            match location {
+                Some(location) => self.faults.add_at(fault, location, 1),
+                None => self.faults.add(fault, statement, &self.lexer),
+            }
         }
     }
 
@@ -358,6 +362,11 @@ impl<R: Read> ClReader<R> {
     /// Number of different frames stated so far.
     pub fn different_frames(&self) -> usize {
         self.interpreter.coordinates().workpiece().different()
+    }
+
+    /// How the points after frames other than the first are read.
+    pub fn frame_vote(&self) -> FrameVote {
+        self.interpreter.coordinates().workpiece().vote()
     }
 
     /// Number of changes of CSYS (SolidWorks CAM) so far.
@@ -521,8 +530,9 @@ impl<R: Read> ClReader<R> {
             }
             record => self.interpreter.take(&record, kept.location()),
         });
-        for fault in taken.err().into_iter().chain(self.interpreter.take_warnings()) {
-            let (location, left) = place(fault.at);
+        let of_record = taken.err().map(|fault| (None, fault));
+        for (at, fault) in of_record.into_iter().chain(self.interpreter.take_faults()) {
+            let (location, left) = at.map_or_else(|| place(fault.at), |at| (at, 1));
             self.faults.add_at(fault, location, left);
         }
     }
@@ -538,7 +548,14 @@ impl<R: Read> ClReader<R> {
         if let (Some(fault), Some(statement)) = (unfinished, &self.statement) {
             self.faults.add(fault, statement, &self.lexer);
         }
+        if let Some(statement) = self.statement {
+            self.note_faults(Ok(()), &statement);
+        }
         self.count_votes();
+        let unconfirmed: Vec<_> = self.interpreter.coordinates().workpiece().unconfirmed().collect();
+        for (location, fault) in unconfirmed {
+            self.faults.add_at(fault, location, 1);
+        }
         let reading = &self.interpreter;
         let normalised = reading.axis().normalised();
         if normalised > 0 {
@@ -579,22 +596,20 @@ impl<R: Read> ClReader<R> {
         self.faults.conclude();
     }
 
-    /// Reports arcs whose sense contradicts the feed lines before and after them.
+    /// Reports arcs whose sense, by their form or as given, contradicts the feed lines before and after them.
     fn count_votes(&mut self) {
-        if self.interpreter.options().circle_sense.is_some() {
-            return;
-        }
+        let given = self.interpreter.options().circle_sense.is_some();
         for (location, against, decided) in self.interpreter.votes().contradictions() {
             let majority = 2 * against > decided;
             let severity = if majority { Severity::Error } else { Severity::Warning };
+            let sense = if given { "the sense that `--circle-sense` gives" } else { "the sense of their CIRCLE" };
             let text = format!(
-                "{against} of {decided} arcs with a tangent line before or after them contradict the sense of their CIRCLE; \
-                 this is the first"
+                "{against} of {decided} arcs with a tangent line before or after them contradict {sense}; this is the first"
             );
-            let help = if majority {
-                "if the CAM system uses the other sense, add `--circle-sense cw` or `ccw`"
-            } else {
-                "correct if the path reverses here in a cusp; else check the arc in the CAM system"
+            let help = match (majority, given) {
+                (true, true) => "leave out `--circle-sense` and `[cl] circle_sense`, or give the other sense",
+                (true, false) => "if the CAM system uses the other sense, add `--circle-sense cw` or `ccw`",
+                (false, _) => "correct if the path reverses here in a cusp; else check the arc in the CAM system",
             };
             self.faults.add_about_file(severity, location, text, help);
         }

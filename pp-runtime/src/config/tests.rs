@@ -617,7 +617,7 @@ fn options_of_reading_cl_data_are_read() {
     assert_eq!((cl.cl_point, cl.cl_point_of.get(&2)), (ClPoint::Centre, Some(&ClPoint::Tip)));
     assert_eq!((cl.dialect, cl.columns), (Some(Dialect::SolidWorks), Some(72)));
     assert_eq!(cl.inert, ["AICC", "BREAK"]);
-    assert_eq!((cl.frames, cl.circle_sense), (Frames::Main, Some(Sense::Clockwise)));
+    assert_eq!((cl.frames, cl.circle_sense), (Some(Frames::Main), Some(Sense::Clockwise)));
     assert_eq!((cl.insert, cl.insert_stop, cl.from_move), (Insert::Write, true, true));
     assert_eq!((&cl.auxfun[..], &cl.prefun[..]), (&[10, 11][..], &[64][..]));
     let own: Vec<_> = cl.own_statements.iter().map(|own| (own.statement(), own.blocks()[0].as_str())).collect();

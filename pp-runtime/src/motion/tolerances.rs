@@ -193,9 +193,9 @@ crate::tolerance::tolerances! {
     /// Largest difference of two distances off the wall of a bore that are equal.
     SAME_BORE_SHIFT: f64 = 1e-9, "mm", "rounding of the conversion", alone "it refuses a bore before it is written";
 
-    /// Largest difference between two lengths or diameters of the same tool.
-    SAME_TOOL_SIZE: f64 = 0.01, "mm", "two measurements of a tool agree no better",
-        alone "both are data of the job; the program has one of them";
+    /// Largest radius of an arc of more than half a circle, where the travel of the machine is not known.
+    LARGEST_LONG_WAY: f64 = 2000.0, "mm", "no usual machine holds a circle of four metres",
+        alone "it refuses an arc before it is written";
 
     /// Smallest thickness of a blank that is written.
     THINNEST_BLANK: f64 = 0.1, "mm", "a control draws no flat blank", equals THINNEST_BLANK;

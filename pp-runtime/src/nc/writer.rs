@@ -197,17 +197,15 @@ impl<'a> Writer<'a> {
         self.words([(&WordForm::new(prefix, number.decimals, numerals), number.units)]);
     }
 
-    /// Writes words in their order, each with whole units of its last decimal; without words no block begins. Returns whether
-    /// there is a block.
+    /// Writes words in their order, each with whole units of its last decimal; without words no block begins.
     #[inline(always)]
-    pub fn words<'w>(&mut self, words: impl IntoIterator<Item = (&'w WordForm<'w>, i64)>) -> bool {
+    pub fn words<'w>(&mut self, words: impl IntoIterator<Item = (&'w WordForm<'w>, i64)>) {
         let mut words = words.into_iter();
         let first = words.next();
         if first.is_some() {
             self.begin();
         }
         self.end = put_words(&mut self.buffer, self.end, first, words);
-        self.end > self.block
     }
 
     /// Ends the block; a block without words writes no line.

@@ -5,7 +5,7 @@
 use std::f64::consts::TAU;
 use std::io;
 
-use crate::cl::{ArcVote, Dialect, Insert};
+use crate::cl::{ArcVote, Dialect, FrameVote, Insert, StatedTool};
 use crate::config::Config;
 use crate::control::{
     self, BlankWords, Control, CycleForm, Encoder, LengthGuard, LinearRapids, ProgramHeader, RetractForm,
@@ -271,6 +271,22 @@ fn rounded(degrees: f64) -> f64 {
     (degrees * 1e9).round() / 1e9 + 0.0
 }
 
+/// How the points after frames other than the first were read.
+fn frames(vote: &FrameVote, config: &Config) -> Vec<String> {
+    let by = match (vote.given, vote.confirmed) {
+        (0, 0) => String::new(),
+        (0, confirmed) => format!(", confirmed by {}", super::counted(confirmed, "point")),
+        (_, 0) => ", as given".to_owned(),
+        (_, confirmed) => format!(", as given, confirmed by {confirmed} points"),
+    };
+    let into = if config.set_up.set_ups.is_empty() { "the first" } else { "the first of their set-up" };
+    let frames = |count: u64, what: String| {
+        (count > 0).then(|| format!("{} after the first: {what}{by}", super::counted(count, "frame")))
+    };
+    let mapped = frames(vote.mapped, format!("points transformed into {into}"));
+    mapped.into_iter().chain(frames(vote.in_first, "points in the first already".to_owned())).collect()
+}
+
 /// How the CL data was read: CAM system, arcs, frames, words that were ignored. One sentence each.
 pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     let how = match (config.cl.dialect, survey.file.dialect) {
@@ -295,12 +311,7 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
             }
         });
     }
-    if survey.file.frames > 1 {
-        list.push(match config.set_up.set_ups.is_empty() {
-            false => format!("{} frames, each transformed into the first of its set-up", survey.file.frames),
-            true => format!("{} frames, transformed into the first", survey.file.frames),
-        });
-    }
+    list.extend(frames(&survey.file.frames, config));
     if survey.file.setup_changes > 0 {
         let times = super::counted(survey.file.setup_changes, "time");
         list.push(format!("CSYS changes {times}: all points are read in one common frame"));
@@ -317,6 +328,14 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
         let statements: Vec<&str> = config.cl.probes.iter().map(|probe| probe.statement()).collect();
         list.push(format!("statements of probes: {}", statements.join(" ")));
     }
+    let of_tool = |(number, tool): (&u32, &StatedTool)| match (tool.is_one, tool.path_diameter_mm) {
+        (true, _) => {
+            Some(format!("T{number} is one tool with the sizes of the configuration, whatever the CL data states"))
+        }
+        (false, Some(path)) => Some(format!("T{number} follows paths for a diameter of {path} mm on purpose")),
+        (false, None) => None,
+    };
+    list.extend(config.cl.tools.iter().filter_map(of_tool));
     if let Some(feed) = config.cl.default_feed_mm_per_min {
         list.push(format!("feed until the first FEDRAT: {feed} mm/min, as configured"));
     }
@@ -331,7 +350,7 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
 
 /// Gauge length of a tool, from the configuration, else from the CL data.
 fn gauge_length_mm(tool: &ToolUse, config: &Config) -> Option<f64> {
-    config.set_up.tools.get(&tool.call.number).and_then(|given| given.length_mm).or(tool.call.length_mm)
+    tool.call.length_mm.or_else(|| config.set_up.tools.get(&tool.call.number)?.length_mm)
 }
 
 /// One sentence for each reason why limits of linear axes were not checked, with the axes.
@@ -648,7 +667,7 @@ impl Header<'_> {
         let length = gauge_length_mm(tool, config);
         text += &length.map_or_else(|| " L unknown".to_owned(), |length| format!(" L{}", self.length(length)));
         let registers = &self.job.control.spellings().length;
-        let offset = given.and_then(|given| given.offset).or(tool.call.length_offset);
+        let offset = tool.call.length_offset.or(given.and_then(|given| given.offset));
         let register = match registers.registers.of_tool(number, offset) {
             Some(offset) if !registers.address.is_empty() => format!("{}{offset}", registers.address),
             _ => "the tool table".to_owned(),
@@ -661,11 +680,6 @@ impl Header<'_> {
             text += &format!(", tip Z {} to {}", self.length(low), self.length(high));
         }
         let mut lines = vec![text];
-        if let (Some(ours), Some(theirs)) = (given.and_then(|given| given.diameter_mm), tool.call.diameter_mm)
-            && self.length(ours) != self.length(theirs)
-        {
-            lines.push(format!("T{number} has DIA {} in the CL data: compare the tool", self.length(theirs)));
-        }
         let gauge_line = config.set_up.length_mode == LengthMode::Gauge;
         if let Some(length) = length
             && (gauge_line

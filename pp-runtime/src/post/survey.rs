@@ -19,7 +19,7 @@ use crate::motion::{
     Policy, ProgramItem, Source, Stage, StretchModes, extent, hole_extent,
 };
 use crate::program::{CutterSide, Event, Location, MachineFunction, NewStart, Spindle, TextKind, ToolCall};
-use crate::set_up::FurtherSetUp;
+use crate::set_up::{FurtherSetUp, GivenTool};
 
 use super::operations::{OperationNames, OperationSelection};
 use crate::motion::tolerances::SAME_AXIS;
@@ -460,8 +460,8 @@ fn too_many_tools(location: Location) -> Diagnostic {
 impl ToolUse {
     /// Radius of the tool, from the configuration or the CL data, mm.
     pub(super) fn radius_mm(&self, config: &Config) -> Option<f64> {
-        let given = config.set_up.tools.get(&self.call.number).and_then(|given| given.diameter_mm);
-        given.or(self.call.diameter_mm).map(|diameter| diameter / 2.0)
+        let [diameter, _] = GivenTool::size_mm(config.set_up.tools.get(&self.call.number), &self.call);
+        diameter.map(|diameter| diameter / 2.0)
     }
 }
 
@@ -473,10 +473,7 @@ impl Survey {
             self.tools.len() - 1
         });
         let known = &mut self.tools[index].call;
-        known.length_mm = known.length_mm.or(call.length_mm);
-        known.length_offset = known.length_offset.or(call.length_offset);
-        known.diameter_mm = known.diameter_mm.or(call.diameter_mm);
-        known.corner_radius_mm = known.corner_radius_mm.or(call.corner_radius_mm);
+        *known = call.completed_by(known);
         index
     }
 }

@@ -65,9 +65,6 @@ impl ClPoint {
     pub(crate) const NAMES: [(&'static str, Self); 2] = [("tip", Self::Tip), ("centre", Self::Centre)];
 }
 
-/// Two sizes of a tool that are the same, mm.
-const SAME_SIZE_MM: f64 = 1e-3;
-
 options! {
     /// Machine, part and shop of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
     pub struct SetUp {
@@ -201,10 +198,14 @@ impl SetUp {
 options! {
     /// Data of one tool, in addition to the CL data. Every key defaults to unknown.
     pub struct GivenTool {
-        /// Gauge length: from the gauge line to the tip.
+        /// Gauge length, from the gauge line to the tip, if the CL data gives none; another one in the CL data is an error.
         length_mm: Option<f64> = None, key("length", Measure::length(Bound::NotNegative), "148.32");
-        /// Cutting diameter; only compared with the CL data.
+        /// Cutting diameter, if the CL data gives none; another one in the CL data is an error.
         diameter_mm: Option<f64> = None, key("diameter", Measure::length(Bound::Positive), "10.0");
+        /// Diameter in the CL data that is that of the path, not of the tool: a CUTTER that is wider on purpose, to leave stock.
+        path_diameter_mm: Option<f64> = None, key("path_diameter", Measure::length(Bound::Positive), "10.4");
+        /// All that the CL data states about this tool number is one tool, with the sizes that are given here.
+        one_tool: bool = false, key("one_tool", YesNo);
         /// Length offset register (H), if it is neither programmed in the CL data nor the tool number.
         offset: Option<u32> = None, key("offset", Whole(1..=LARGEST_TOOL), "12");
         /// Radius offset register (D), if it is neither programmed in CUTCOM nor the tool number.
@@ -326,12 +327,12 @@ impl LengthMode {
 }
 
 impl GivenTool {
-    /// Diameter and corner radius of a tool, mm: those of its entry, else those of the CL data. The corner radius of the CL data
-    /// belongs to its diameter: with another one it is unknown.
+    /// Diameter and corner radius of a tool, mm: those of the CL data, else those of its entry.
     pub(crate) fn size_mm(given: Option<&Self>, call: &ToolCall) -> [Option<f64>; 2] {
-        let ours = given.and_then(|given| given.diameter_mm);
-        let same = ours.zip(call.diameter_mm).is_none_or(|(ours, theirs)| (ours - theirs).abs() <= SAME_SIZE_MM);
-        let corner = call.corner_radius_mm.filter(|_| same).or(given.and_then(|given| given.corner_radius_mm));
-        [ours.or(call.diameter_mm), corner]
+        let of_entry = |size: fn(&Self) -> Option<f64>| given.and_then(size);
+        [
+            call.diameter_mm.or(of_entry(|given| given.diameter_mm)),
+            call.corner_radius_mm.or(of_entry(|given| given.corner_radius_mm)),
+        ]
     }
 }

@@ -43,13 +43,7 @@ impl ClFacts {
                 }
                 Event::NewStart(NewStart::Tool(call)) => {
                     let known = &mut facts.tools.entry(call.number).or_default().call;
-                    *known = ToolCall {
-                        number: call.number,
-                        length_mm: call.length_mm.or(known.length_mm),
-                        length_offset: call.length_offset.or(known.length_offset),
-                        diameter_mm: call.diameter_mm.or(known.diameter_mm),
-                        corner_radius_mm: call.corner_radius_mm.or(known.corner_radius_mm),
-                    };
+                    *known = call.completed_by(known);
                     tool = Some(call.number);
                 }
                 Event::Motion(motion) => {

@@ -36,7 +36,7 @@ fn set_up(control: &'static dyn Control, mode: &str) -> Option<SetUp> {
     config.motion.defaults.tool = Some(1);
     config.motion.retract.distance_mm = Some(50.0);
     config.cl.insert = Insert::Comment;
-    config.cl.frames = Frames::Main;
+    config.cl.frames = Some(Frames::Main);
     config.output_units = UNITS;
     config.control.tip_control = control.spellings().tip.is_none().then(|| ["M428".to_owned(), "M429".to_owned()]);
     control::unfit(&SpinnerU5620::default(), control, config.demands()).is_empty().then_some(SetUp { control, config })

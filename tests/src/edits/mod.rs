@@ -22,3 +22,18 @@ pub use operations::{Edit, edit};
 pub use places::Subject;
 pub use posted::{Case, Posted};
 pub use verdict::{Allowed, Verdict, restarts_differ, verdict};
+
+/// A message without its numbers, the same for all of a kind.
+#[must_use]
+pub fn without_numbers(text: &str) -> String {
+    let mut kind = String::new();
+    for letter in text.chars() {
+        match letter {
+            '0'..='9' if kind.ends_with('#') => {}
+            '0'..='9' => kind.push('#'),
+            '.' | '-' if kind.ends_with('#') => {}
+            letter => kind.push(letter),
+        }
+    }
+    kind
+}

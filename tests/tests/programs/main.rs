@@ -13,6 +13,7 @@ mod course;
 mod edits;
 mod entries;
 mod eyes;
+mod faces;
 mod findings;
 mod foreign;
 mod linearised;

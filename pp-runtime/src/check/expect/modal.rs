@@ -1,7 +1,7 @@
 //! Modal state of the CL data, from the specification: which tool, register, speed, sense of rotation and coolant belong
 //! to a motion, where an operation begins, and what is posted.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 use std::rc::Rc;
 
 use super::super::geometry::{ArcPath, PathShape, bezier, tool_pose};
@@ -30,7 +30,6 @@ pub(super) struct ClState<'a> {
     required: Rc<Required>,
     /// Spindle and coolant may be others since the last motion.
     process_due: bool,
-    calls: BTreeMap<u32, ToolCall>,
     spindle: SpindleRecords,
     coolant: Coolant,
     compensation: CompensationRequest,
@@ -160,7 +159,6 @@ impl<'a> ClState<'a> {
             unit_mm,
             required: Rc::new(required),
             process_due: true,
-            calls: BTreeMap::new(),
             spindle: SpindleRecords::default(),
             coolant: Coolant::Off,
             compensation: CompensationRequest::default(),
@@ -449,12 +447,7 @@ impl<'a> ClState<'a> {
         }
         self.begin_elsewhere();
         self.process_due = true;
-        let before = self.calls.get(&call.number).copied().unwrap_or_default();
         let given = self.policy.set_up.tools.get(&call.number);
-        let length_mm = call.length_mm.or(before.length_mm);
-        let length_offset = call.length_offset.or(before.length_offset);
-        let diameter_mm = call.diameter_mm.or(before.diameter_mm);
-        self.calls.insert(call.number, ToolCall { length_mm, length_offset, diameter_mm, ..*call });
         if self.required.tool != Some(call.number) {
             self.require().called = at;
             self.spindle.now = if self.operation.called { SpindleRecord::default() } else { self.spindle.in_start };
@@ -462,10 +455,10 @@ impl<'a> ClState<'a> {
         }
         self.operation.called = true;
         self.require().tool = Some(call.number);
-        let diameter_mm = diameter_mm.or(given.and_then(|tool| tool.diameter_mm));
+        let diameter_mm = call.diameter_mm.or(given.and_then(|tool| tool.diameter_mm));
         self.require().radius_mm = diameter_mm.map(|diameter| 0.5 * diameter);
-        self.require().gauge_length_mm = given.and_then(|tool| tool.length_mm).or(length_mm);
-        let offset = given.and_then(|tool| tool.offset).or(length_offset);
+        self.require().gauge_length_mm = call.length_mm.or(given.and_then(|tool| tool.length_mm));
+        let offset = call.length_offset.or(given.and_then(|tool| tool.offset));
         self.require().register = match self.policy.family.facts().registers {
             LengthRegisters::Shared => offset.unwrap_or(call.number),
             // Edges count from 1 in each tool. CL data whose numbers are those of the tools means none of them.

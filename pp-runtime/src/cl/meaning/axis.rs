@@ -54,6 +54,8 @@ pub(crate) struct ModalAxis {
     doubt: AxisDoubt,
     /// TLAXIS has come since the last motion: its axis holds for an operation that begins now.
     stated: bool,
+    /// A record of the operation has stated it.
+    of_record: bool,
     /// MULTAX/OFF is in force: its line, and the tool axis before it.
     held: Option<(u64, UnitVector3<f64>)>,
     /// Number of axes that were normalised by more than rounding.
@@ -67,6 +69,7 @@ impl Default for ModalAxis {
             axis: Vector3::z_axis(),
             doubt: AxisDoubt::None,
             stated: false,
+            of_record: false,
             held: None,
             normalised: 0,
             first_normalised: Location::default(),
@@ -124,6 +127,11 @@ impl ModalAxis {
         }
     }
 
+    /// The tool axis, if a record of the operation has stated it.
+    pub(crate) fn of_record(&self) -> Option<[f64; 3]> {
+        self.of_record.then(|| self.axis.into_inner().into())
+    }
+
     /// Number of axes that were normalised by more than rounding.
     pub(crate) fn normalised(&self) -> u64 {
         self.normalised
@@ -147,7 +155,7 @@ impl ModalAxis {
         if self.is_tilted() {
             self.doubt = AxisDoubt::NewOperation;
         }
-        self.axis = Vector3::z_axis();
+        (self.axis, self.of_record) = (Vector3::z_axis(), false);
     }
 
     /// MULTAX, MULTAX/ON: points may tilt the tool.
@@ -164,7 +172,7 @@ impl ModalAxis {
         if self.is_tilted() && then == AxisAfterOff::Unknown {
             self.doubt = AxisDoubt::MultaxOff;
         }
-        self.axis = Vector3::z_axis();
+        (self.axis, self.of_record) = (Vector3::z_axis(), false);
     }
 
     fn is_tilted(&self) -> bool {
@@ -185,7 +193,7 @@ impl ModalAxis {
         if if_permitted && self.held.is_some() {
             self.check_held(axis, at)?;
         }
-        self.axis = axis;
+        (self.axis, self.of_record) = (axis, true);
         self.doubt = AxisDoubt::None;
         Ok(excess > ROUNDING)
     }

@@ -1,8 +1,10 @@
 //! From the numbers of a file to the workpiece frame: all coordinate transforms, and the frames stated in the file.
 
 use super::frame::{FrameChange, SetUpFrame, StatedFrame, WorkpieceFrames};
+use super::frame_reading::StatedPoint;
 use super::options::{Frames, SetUpBegins};
 use super::transform::{RigidTransform, Transforms};
+use crate::cl::dialect::Dialect;
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::{length, within_a_kilometre};
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
@@ -69,9 +71,23 @@ impl Coordinates {
         &mut self,
         frame: StatedFrame,
         at: Span,
-        options: (Frames, &[SetUpBegins]),
+        options: (Option<Frames>, &[SetUpBegins]),
+        dialect: Dialect,
     ) -> Result<FrameChange, ClFault> {
-        self.workpiece.take(frame, at, options)
+        self.workpiece.take(frame, at, options, dialect)
+    }
+
+    /// Takes a point as the file has it, before it is transformed: it may state in which frame it is.
+    pub(crate) fn take_point(&mut self, point: &StatedPoint) -> Result<(), ClFault> {
+        if self.workpiece.take_point(point)? {
+            self.map_frame();
+        }
+        Ok(())
+    }
+
+    /// The position is unknown.
+    pub(crate) fn forget_place(&mut self) {
+        self.workpiece.forget_place();
     }
 
     /// The set-up that begins with an operation of this name, if another one is in force.
@@ -79,7 +95,7 @@ impl Coordinates {
         self.workpiece.begin_operation(name, set_ups)
     }
 
-    /// Sets the transform from the frame in force to the first frame of its set-up.
+    /// Sets the transform from the frame of the points to the first frame of their set-up.
     pub(crate) fn map_frame(&mut self) {
         if let Some((main, current)) = self.workpiece.main_and_current() {
             self.transforms.set_frame(main, current);

@@ -48,11 +48,12 @@ impl QueuedEvent {
     }
 }
 
-/// Events and warnings of the last record, in order.
+/// Events, warnings and faults of the last record, in order.
 #[derive(Debug, Default)]
 pub(crate) struct EventQueue {
     events: VecDeque<(Location, QueuedEvent)>,
-    warnings: Vec<ClFault>,
+    /// With the place of those that are not of the last record.
+    faults: Vec<(Option<Location>, ClFault)>,
 }
 
 impl EventQueue {
@@ -72,15 +73,20 @@ impl EventQueue {
     }
 
     pub(crate) fn warn(&mut self, fault: ClFault) {
-        self.warnings.push(fault.warning());
+        self.faults.push((None, fault.warning()));
+    }
+
+    /// Adds the fault of a record before the last one.
+    pub(crate) fn refuse(&mut self, here: Location, fault: ClFault) {
+        self.faults.push((Some(here), fault));
     }
 
     #[inline]
-    pub(crate) fn has_warnings(&self) -> bool {
-        !self.warnings.is_empty()
+    pub(crate) fn has_faults(&self) -> bool {
+        !self.faults.is_empty()
     }
 
-    pub(crate) fn take_warnings(&mut self) -> impl Iterator<Item = ClFault> + '_ {
-        self.warnings.drain(..)
+    pub(crate) fn take_faults(&mut self) -> impl Iterator<Item = (Option<Location>, ClFault)> + '_ {
+        self.faults.drain(..)
     }
 }

@@ -1,16 +1,18 @@
 //! Frames of a file: position and orientation of the output frame in the model.
 //!
 //! The numbers of CL data are already in that frame, so the first frame *is* the workpiece frame and is only reported.
-//! A later frame that differs would move every point after it: it is mapped into the first of its set-up, begins another
-//! set-up, or is refused, never ignored. CSYS of SolidWorks CAM is not such a frame: it does not change points and states the
-//! tool axis.
+//! A later frame that differs may move every point after it: `frame_reading` decides whether they are mapped into the first of
+//! their set-up, and refuses what nothing states. CSYS of SolidWorks CAM is not such a frame: it does not change points and states
+//! the tool axis.
 
 use std::collections::BTreeMap;
 
+use super::frame_reading::{FrameReading, FrameVote, PointsIn, StatedPoint};
 use super::options::{Frames, SetUpBegins};
+use crate::cl::dialect::Dialect;
 use crate::cl::record::FrameRecord;
 use crate::cl::text::{ClFault, Span};
-use crate::cl::vector::distance;
+use crate::cl::vector::{distance, dot};
 use crate::nalgebra::{UnitVector3, Vector3};
 use crate::program::Location;
 
@@ -51,6 +53,16 @@ impl StatedFrame {
         distance(self.origin, other.origin) <= SAME_ORIGIN_MM
             && (0..3).all(|i| distance(self.axes[i], other.axes[i]) <= SAME_AXES)
     }
+
+    /// The model, as a frame.
+    fn model(location: Location) -> StatedFrame {
+        StatedFrame { location, origin: [0.0; 3], axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] }
+    }
+
+    /// Its Z in the coordinates of another frame.
+    fn z_in(&self, other: &StatedFrame) -> [f64; 3] {
+        other.axes.map(|axis| dot(axis, self.axes[2]))
+    }
 }
 
 /// Largest number of different frames in a file.
@@ -61,8 +73,8 @@ const MOST_FRAMES: usize = 100;
 pub(crate) enum FrameChange {
     /// It is in force already.
     None,
-    /// Its points are mapped into the first frame of its set-up.
-    Mapped,
+    /// Another frame of the same set-up.
+    Frame,
     /// Another set-up begins.
     SetUp(u32),
 }
@@ -72,6 +84,8 @@ pub(crate) enum FrameChange {
 pub(crate) struct WorkpieceFrames {
     /// Different frames, in the order in which they are first stated.
     frames: Vec<StatedFrame>,
+    /// How the points after each are read; those after the first are in it.
+    readings: Vec<FrameReading>,
     /// Index of the frame in force.
     current: usize,
     stated: u64,
@@ -84,7 +98,8 @@ pub(crate) struct WorkpieceFrames {
 
 impl Default for WorkpieceFrames {
     fn default() -> Self {
-        Self { frames: Vec::new(), current: 0, stated: 0, set_up: 1, named: false, first_of: BTreeMap::new() }
+        let (frames, readings) = (Vec::new(), Vec::new());
+        Self { frames, readings, current: 0, stated: 0, set_up: 1, named: false, first_of: BTreeMap::new() }
     }
 }
 
@@ -124,10 +139,64 @@ impl WorkpieceFrames {
         u32::try_from(self.current + 1).unwrap_or(u32::MAX)
     }
 
-    /// The first frame of the set-up in force, and the frame in force.
+    /// The first frame of the set-up in force, and that of the points.
     pub(crate) fn main_and_current(&self) -> Option<(&StatedFrame, &StatedFrame)> {
         let main = self.first_of.get(&self.set_up).copied().unwrap_or(self.current);
-        Some((self.frames.get(main)?, self.frames.get(self.current)?))
+        let in_first = self.reading().is_some_and(|reading| reading.points() == PointsIn::First);
+        Some((self.frames.get(main)?, self.frames.get(if in_first { 0 } else { self.current })?))
+    }
+
+    /// How the points after the frame in force are read; `None` for the first frame.
+    fn reading(&self) -> Option<&FrameReading> {
+        self.readings.get(self.current.checked_sub(1)?)
+    }
+
+    /// Whether points after the frame in force state how they are read.
+    pub(crate) fn is_watched(&self) -> bool {
+        self.reading().is_some_and(|reading| !reading.is_upright())
+    }
+
+    /// Whether no point has decided yet how those after the frame in force are read.
+    pub(crate) fn is_open(&self) -> bool {
+        self.reading().is_some_and(FrameReading::is_open)
+    }
+
+    /// The position is unknown: the next motion leads from nowhere.
+    pub(crate) fn forget_place(&mut self) {
+        if let Some(reading) = self.current.checked_sub(1).and_then(|index| self.readings.get_mut(index)) {
+            reading.forget_place();
+        }
+    }
+
+    /// Takes a point after the frame in force. Says whether those after it are read in another way than before.
+    pub(crate) fn take_point(&mut self, point: &StatedPoint) -> Result<bool, ClFault> {
+        let Some(index) = self.current.checked_sub(1) else { return Ok(false) };
+        let before = self.readings[index].points();
+        self.readings[index].take(point)?;
+        let taken = &self.readings[index];
+        let other = self
+            .readings
+            .iter()
+            .find(|other| other.stated().is_some_and(|points| taken.stated().is_some_and(|stated| stated != points)));
+        match other {
+            Some(other) => Err(taken.differs(other, point.at)),
+            None => Ok(taken.points() != before),
+        }
+    }
+
+    /// For each frame whose reading nothing confirms: its place, and the fault.
+    pub(crate) fn unconfirmed(&self) -> impl Iterator<Item = (Location, ClFault)> + '_ {
+        let frames = self.frames.iter().skip(1).zip(&self.readings);
+        frames.filter_map(|(frame, reading)| Some((frame.location, reading.conclude().err()?)))
+    }
+
+    /// How the frames are read, for the report.
+    pub(crate) fn vote(&self) -> FrameVote {
+        let mut vote = FrameVote::default();
+        for reading in &self.readings {
+            reading.count(&mut vote);
+        }
+        vote
     }
 
     /// The set-up that begins with an operation of this name, if another one is in force.
@@ -146,32 +215,16 @@ impl WorkpieceFrames {
         &mut self,
         frame: StatedFrame,
         at: Span,
-        (frames, set_ups): (Frames, &[SetUpBegins]),
+        (frames, set_ups): (Option<Frames>, &[SetUpBegins]),
+        dialect: Dialect,
     ) -> Result<FrameChange, ClFault> {
         self.stated += 1;
-        if let Some(first) = self.frames.first()
-            && !first.is_same(&frame)
-            && frames == Frames::Refuse
-            && set_ups.is_empty()
-        {
-            return Err(second_frame(&frame, first, at));
-        }
         let known = self.frames.iter().position(|known| known.is_same(&frame));
-        let index = match known {
-            Some(index) => index,
-            None if self.frames.len() < MOST_FRAMES => {
-                self.frames.push(frame);
-                self.frames.len() - 1
-            }
-            None => {
-                return Err(ClFault::new(
-                    "second frame",
-                    at,
-                    format!("the file states more than {MOST_FRAMES} different frames"),
-                    "output one file for each set-up",
-                ));
-            }
-        };
+        if known.is_none() && self.frames.len() == MOST_FRAMES {
+            let text = format!("the file states more than {MOST_FRAMES} different frames");
+            return Err(ClFault::new("second frame", at, text, "output one file for each set-up"));
+        }
+        let index = known.unwrap_or(self.frames.len());
         let listed = set_ups.iter().find(|set_up| set_up.frames.iter().any(|number| *number as usize == index + 1));
         let set_up = match listed {
             Some(set_up) => set_up.number,
@@ -179,28 +232,27 @@ impl WorkpieceFrames {
             None => 1,
         };
         self.named &= listed.is_none();
-        self.first_of.entry(set_up).or_insert(index);
+        let begins_set_up = *self.first_of.entry(set_up).or_insert(index) == index;
+        if known.is_none() {
+            if let Some(first) = self.frames.first() {
+                // The comment of Creo may stand beside points in the coordinates of the machine, which are those of its numbers.
+                let model = (dialect == Dialect::Creo).then(|| frame.z_in(&StatedFrame::model(frame.location)));
+                let columns = std::iter::once(frame.z_in(first)).chain(model).collect();
+                let lines = [frame.location.line, first.location.line];
+                self.readings.push(FrameReading::new(lines, columns, frames, begins_set_up));
+            }
+            self.frames.push(frame);
+        }
+        if let Some(reading) = index.checked_sub(1).and_then(|index| self.readings.get_mut(index)) {
+            reading.begin_stretch(at)?;
+        }
         let before = (std::mem::replace(&mut self.set_up, set_up), std::mem::replace(&mut self.current, index));
         Ok(match before {
             (other, _) if other != set_up => FrameChange::SetUp(set_up),
-            (_, other) if other != index => FrameChange::Mapped,
+            (_, other) if other != index => FrameChange::Frame,
             _ => FrameChange::None,
         })
     }
-}
-
-/// The fault that another frame is stated, and the table that makes it a set-up.
-fn second_frame(frame: &StatedFrame, first: &StatedFrame, at: Span) -> ClFault {
-    ClFault::new(
-        "second frame",
-        at,
-        format!(
-            "the frame in line {} differs from the workpiece frame in line {}",
-            frame.location.line, first.location.line
-        ),
-        "the same clamping: `--frames main` maps it into the first; the part is clamped again: configure the set-up, \
-         `[set_ups.2]`, `part_origin = [0.0, 0.0, 0.0]`, `part_rotation = [0.0, 0.0, 0.0]`, `work_offset = \"G55\"`",
-    )
 }
 
 /// Set-up frame of SolidWorks CAM: the CSYS in force, whose third column is the tool axis.

@@ -11,15 +11,19 @@ use super::axis::ModalAxis;
 use super::coordinates::Coordinates;
 use super::cycle::CycleInForce;
 use super::event_queue::{EventQueue, QueuedEvent, TextUse};
+use super::frame_reading::StatedPoint;
 use super::modal_tool::ModalTool;
 use super::nurbs_curve::OpenCurve;
 use super::options::{Insert, ReadingOptions};
 use super::path_state::PathState;
 use super::permitted::Permitted;
+use super::tool_table::Contradiction;
 use super::units::FileUnits;
 use super::votes::ArcVotes;
 use crate::cl::dialect::Dialect;
-use crate::cl::record::{CircleRecord, CoordinateRecord, Point, ProgramRecord, Record, SubprogramRecord, Text};
+use crate::cl::record::{
+    CircleRecord, CoordinateRecord, MotionRecord, Point, ProgramRecord, Record, SubprogramRecord, Text,
+};
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Arc, Event, Feed, Interruption, Location, NewStart, Spline, TextKind};
 
@@ -135,21 +139,24 @@ impl RecordInterpreter {
         self.events.pop()
     }
 
-    /// Whether the last record has warnings.
+    /// Whether the last record has warnings, or shows the fault of one before it.
     #[inline]
-    pub(crate) fn has_warnings(&self) -> bool {
-        self.events.has_warnings()
+    pub(crate) fn has_faults(&self) -> bool {
+        self.events.has_faults()
     }
 
-    /// Takes the warnings of the last record.
-    pub(crate) fn take_warnings(&mut self) -> impl Iterator<Item = ClFault> + '_ {
-        self.events.take_warnings()
+    /// Takes them, with the place of those that are not of the last record.
+    pub(crate) fn take_faults(&mut self) -> impl Iterator<Item = (Option<Location>, ClFault)> + '_ {
+        self.events.take_faults()
     }
 
     /// Interprets the record of the statement at `here`.
     pub(crate) fn take(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {
         let restates = self.is_frame_restated(record, here);
         self.admit(Permitted::of(record), restates)?;
+        if self.coordinates.workpiece().is_watched() {
+            self.watch(record, here)?;
+        }
         let taken = self.interpret(record, here);
         self.update_plain_goto();
         taken
@@ -158,7 +165,7 @@ impl RecordInterpreter {
     /// Whether a CIRCLE may come here: no arc is open, and no cycle is active.
     #[inline]
     pub(crate) fn may_begin_arc(&self) -> bool {
-        !self.arc.is_open() && !self.cycle.is_active()
+        !self.arc.is_open() && !self.cycle.is_active() && !self.coordinates.workpiece().is_open()
     }
 
     /// Interprets a CIRCLE.
@@ -173,7 +180,8 @@ impl RecordInterpreter {
     /// Interprets a GOTO that ends the arc of the open circle; `None` if none is open, or an event is to be queued before it.
     #[inline(always)]
     pub(crate) fn end_arc(&mut self, point: &Point, here: Location) -> Option<Result<Arc, ClFault>> {
-        let circle = self.arc.circle().filter(|_| !self.tool.is_held())?;
+        let alone = !self.tool.is_held() && !self.coordinates.workpiece().is_watched();
+        let circle = self.arc.circle().filter(|_| alone)?;
         if let Err(fault) = self.admit(Permitted::POINT, false) {
             return Some(Err(fault));
         }
@@ -242,9 +250,66 @@ impl RecordInterpreter {
         self.arc.finish()
     }
 
+    /// Looks at a record after a frame whose points may be in it or in the first frame.
+    #[cold]
+    fn watch(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {
+        let waits = |name| {
+            let text = format!(
+                "{name} comes before a point with a tool axis states in which frame the points after the frame are"
+            );
+            Err(ClFault::new(
+                "second frame",
+                Span::WHOLE,
+                text,
+                "`--frames main` or `--frames first` gives it; or put a GOTO before",
+            ))
+        };
+        let open = self.coordinates.workpiece().is_open();
+        match record {
+            Record::Motion(MotionRecord::From(point) | MotionRecord::Goto(point) | MotionRecord::Home(Some(point))) => {
+                self.watch_point(point, here)
+            }
+            Record::Motion(MotionRecord::Points(points)) => {
+                points.points().try_for_each(|point| self.watch_point(&point, here))
+            }
+            Record::Motion(MotionRecord::Delta(_) | MotionRecord::DeltaAlongAxis { .. }) if open => waits("GODLTA"),
+            Record::Motion(MotionRecord::Retract) if open => waits("RETRCT"),
+            Record::Arc(_) if open => waits("an arc"),
+            Record::Nurbs(_) if open => waits("NURBS"),
+            Record::Coordinates(CoordinateRecord::ClearancePlane { .. }) if open => waits("CLEARP"),
+            Record::Motion(_) | Record::Nurbs(_) => {
+                self.coordinates.forget_place();
+                Ok(())
+            }
+            Record::Arc(_)
+            | Record::Cycle(_)
+            | Record::Coordinates(_)
+            | Record::Tool(_)
+            | Record::Machine(_)
+            | Record::Program(_)
+            | Record::Subprogram(_)
+            | Record::Own(..)
+            | Record::Inert => Ok(()),
+        }
+    }
+
+    fn watch_point(&mut self, point: &Point, here: Location) -> Result<(), ClFault> {
+        let axis = point.axis.or(self.axis.of_record());
+        let point = StatedPoint { tip: point.tip, axis, rapid: self.path.is_rapid(), at: point.at, here };
+        self.coordinates.take_point(&point)
+    }
+
     fn emit_held_tool(&mut self) {
-        if let Some((here, tool)) = self.tool.take_held() {
+        if let Some(((here, tool), taken)) = self.tool.take_held(&self.options) {
+            self.refuse(taken);
             self.events.push(here, QueuedEvent::Plain(Event::NewStart(NewStart::Tool(tool))));
+        }
+    }
+
+    /// Refuses two statements about a tool that contradict each other.
+    fn refuse(&mut self, taken: Result<(), Contradiction>) {
+        if let Err((at, fault)) = taken {
+            self.events.refuse(at, fault);
         }
     }
 
@@ -285,6 +350,7 @@ impl RecordInterpreter {
             && !self.path.is_above_hole()
             && !matches!(self.cutcom, CutcomOn::Asked(_))
             && self.coordinates.transforms().none()
+            && !self.coordinates.workpiece().is_watched()
             && self.options.always_tip();
     }
 

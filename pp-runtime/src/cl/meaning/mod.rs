@@ -1,7 +1,7 @@
 //! Meaning of records in their context: units, modal state, and the events that follow.
 //!
-//! `interpret` passes each record to the owners of modal state: `units`, `feed`, `modal_tool`, `axis`, `coordinates`
-//! (with `frame` and `transform`) and `path_state`. `arc`, `nurbs_curve` and `cycle` span several records; `permitted`
+//! `interpret` passes each record to the owners of modal state: `units`, `feed`, `modal_tool` (with `tool_table`), `axis`, `coordinates`
+//! (with `frame`, `frame_reading` and `transform`) and `path_state`. `arc`, `nurbs_curve` and `cycle` span several records; `permitted`
 //! lists the records that may come meanwhile. `holes` has the conventions of the CAM systems for CYCLE, `tool_numbers` those
 //! for LOADTL, `votes` checks the sense of arcs. Events are queued in `event_queue`.
 
@@ -12,6 +12,7 @@ mod cycle;
 mod event_queue;
 mod feed;
 mod frame;
+mod frame_reading;
 mod holes;
 mod interpret;
 mod modal_tool;
@@ -20,14 +21,17 @@ mod options;
 mod path_state;
 mod permitted;
 mod tool_numbers;
+mod tool_table;
 mod transform;
 mod units;
 mod votes;
 
 pub(crate) use self::event_queue::QueuedEvent;
 pub use self::frame::StatedFrame;
+pub use self::frame_reading::FrameVote;
 pub use self::holes::CycleArg;
 pub(crate) use self::interpret::RecordInterpreter;
 pub use self::options::{FeedLabel, Frames, Insert, ReadingOptions, Sense, SetUpBegins};
 pub use self::tool_numbers::ToolArg;
+pub use self::tool_table::StatedTool;
 pub use self::votes::ArcVote;

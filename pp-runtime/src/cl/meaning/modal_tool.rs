@@ -1,36 +1,47 @@
 //! The tool in the spindle: its call, and the CUTTER or TLDATA that describes it.
 //!
-//! A cutter described before a call belongs to the tool called next. Creo describes it after the call, so a call is
-//! held until the next event. A motion with another cutter, for which no tool record has come, causes a warning.
+//! A cutter described before a call belongs to the tool called next, or to the tool in the spindle if that cuts before. Creo describes
+//! it after the call, so a call is held until the next event. All that is stated comes together in the `tool_table`.
 
+use super::options::ReadingOptions;
+use super::tool_table::{Contradiction, CutterAt, StatedTool, ToolTable};
 use crate::cl::record::{CutterRecord, ToolCallRecord};
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Location, ToolCall};
 
-/// Largest difference of the diameters of equal cutters.
-const SAME_DIAMETER_MM: f64 = 1e-3;
+/// A call that is held, and the cutter that it has so far.
+#[derive(Debug, Clone, Copy)]
+struct HeldCall {
+    here: Location,
+    call: ToolCall,
+    cutter: Option<CutterAt>,
+}
 
 /// Tool and cutter in force, lengths in mm.
 #[derive(Debug, Default)]
 pub(crate) struct ModalTool {
     /// Cutter that belongs to the tool called next.
-    next_cutter: Option<CutterRecord>,
+    next_cutter: Option<CutterAt>,
     /// No motion has come since that cutter was described.
     next_is_new: bool,
-    /// Cutter of the last motion that had no tool record for it.
-    uncalled: Option<CutterRecord>,
     /// Call that is held, because its cutter may follow.
-    held: Option<(Location, ToolCall)>,
+    held: Option<HeldCall>,
     /// Call that was returned last.
     last: Option<ToolCall>,
+    table: ToolTable,
     /// Largest diameter, mm, and place of the first cutter: evidence of the unit of the file.
     largest: Option<(f64, Location)>,
+}
+
+/// What the configuration states about a tool.
+fn given(options: &ReadingOptions, number: Option<u32>) -> Option<&StatedTool> {
+    options.tools.get(&number?)
 }
 
 impl ModalTool {
     /// The tool called last.
     pub(crate) fn current(&self) -> Option<ToolCall> {
-        self.held.map(|(_, tool)| tool).or(self.last)
+        self.held.map(|held| held.call).or(self.last)
     }
 
     #[inline]
@@ -38,7 +49,7 @@ impl ModalTool {
         self.held.is_some()
     }
 
-    /// Whether the next motion must be checked for a cutter without a call: see [`compare`](Self::compare).
+    /// Whether the next motion may be with a cutter that no call has.
     pub(crate) fn is_described_anew(&self) -> bool {
         self.next_is_new
     }
@@ -49,44 +60,48 @@ impl ModalTool {
     }
 
     /// Takes the call that is held; a cutter that follows cannot change it any more.
-    pub(crate) fn take_held(&mut self) -> Option<(Location, ToolCall)> {
-        let held = self.held.take()?;
-        self.last = Some(held.1);
-        Some(held)
+    pub(crate) fn take_held(
+        &mut self,
+        options: &ReadingOptions,
+    ) -> Option<((Location, ToolCall), Result<(), Contradiction>)> {
+        let HeldCall { here, mut call, cutter } = self.held.take()?;
+        let given = given(options, Some(call.number));
+        let taken = self.table.take_call(&mut call, cutter, here, given);
+        self.last = Some(call);
+        Some(((here, call), taken))
     }
 
     /// LOADTL, LOAD/TOOL. The call before must have been taken by [`take_held`](Self::take_held).
     pub(crate) fn call(&mut self, tool: &ToolCallRecord, length_mm: Option<f64>, here: Location) {
-        (self.next_is_new, self.uncalled) = (false, None);
-        let mut call = ToolCall { number: tool.number, length_mm, length_offset: tool.offset, ..ToolCall::default() };
-        if let Some(cutter) = self.next_cutter.take() {
-            call.diameter_mm = Some(cutter.diameter);
-            call.corner_radius_mm = cutter.corner_radius;
-        } else if let Some(same) = self.last.filter(|last| last.number == tool.number) {
-            // CATIA calls a tool for each operation and describes it once only.
-            (call.diameter_mm, call.corner_radius_mm) = (same.diameter_mm, same.corner_radius_mm);
-        }
-        self.held = Some((here, call));
+        self.next_is_new = false;
+        let call = ToolCall { number: tool.number, length_mm, length_offset: tool.offset, ..ToolCall::default() };
+        self.held = Some(HeldCall { here, call, cutter: self.next_cutter.take() });
     }
 
     /// CUTTER or TLDATA before a call.
     pub(crate) fn describe_next(&mut self, cutter: CutterRecord, here: Location) {
         self.note_size(cutter, here);
-        self.next_cutter = Some(cutter);
+        self.next_cutter = Some((cutter, here));
         self.next_is_new = true;
     }
 
     /// CUTTER after a call.
-    pub(crate) fn describe_last(&mut self, cutter: CutterRecord, here: Location) {
+    pub(crate) fn describe_last(
+        &mut self,
+        cutter: CutterRecord,
+        here: Location,
+        options: &ReadingOptions,
+    ) -> Result<(), Contradiction> {
         self.note_size(cutter, here);
-        let held = self.held.as_mut().map(|(_, tool)| tool);
-        if let Some(tool) = held.or(self.last.as_mut()) {
-            tool.diameter_mm = Some(cutter.diameter);
-            tool.corner_radius_mm = cutter.corner_radius;
+        if let Some(held) = &mut self.held {
+            held.cutter = Some((cutter, here));
+            return Ok(());
         }
+        let number = self.last.map(|call| call.number);
+        self.table.take_cutter(self.last.as_mut(), (cutter, here), given(options, number))
     }
 
-    /// End of an operation: a cutter without a tool call belongs to it and is dropped.
+    /// End of an operation: a cutter that has not cut belongs to it and is dropped.
     pub(crate) fn end_operation(&mut self) {
         self.next_cutter = None;
     }
@@ -105,8 +120,8 @@ impl ModalTool {
             return fault("OFSETL 0 would cancel the length offset", "program a register above 0");
         }
         match &mut self.held {
-            Some((_, tool)) if tool.length_offset.is_none_or(|offset| offset == register) => {
-                tool.length_offset = Some(register);
+            Some(HeldCall { call, .. }) if call.length_offset.is_none_or(|offset| offset == register) => {
+                call.length_offset = Some(register);
                 Ok(())
             }
             Some(_) => fault("two different length offset registers for one tool", "program one register"),
@@ -118,22 +133,14 @@ impl ModalTool {
         }
     }
 
-    /// Warns of a motion with a cutter that differs from the one before and has no tool record.
+    /// A cut with a cutter that no call has had: it describes the tool in the spindle.
     #[inline]
-    pub(crate) fn compare(&mut self, at: Span) -> Option<ClFault> {
-        if std::mem::take(&mut self.next_is_new) { self.compare_next(at) } else { None }
-    }
-
-    #[inline(never)]
-    fn compare_next(&mut self, at: Span) -> Option<ClFault> {
-        let cutter = self.next_cutter?;
-        let called = self.current().and_then(|tool| tool.diameter_mm);
-        let before = self.uncalled.replace(cutter).map(|cutter| cutter.diameter).or(called)?;
-        if (before - cutter.diameter).abs() <= SAME_DIAMETER_MM {
-            return None;
+    pub(crate) fn cut(&mut self, options: &ReadingOptions) -> Result<(), Contradiction> {
+        if !std::mem::take(&mut self.next_is_new) {
+            return Ok(());
         }
-        let text = format!("the cutter changes from {before:.3} mm to {:.3} mm without a tool call", cutter.diameter);
-        let help = "the tool in the spindle stays in use: program LOADTL or LOAD/TOOL before this motion";
-        Some(ClFault::new("cutter without call", at, text, help))
+        let Some(cutter) = self.next_cutter else { return Ok(()) };
+        let number = self.last.map(|call| call.number);
+        self.table.take_cutter(self.last.as_mut(), cutter, given(options, number))
     }
 }

@@ -7,6 +7,7 @@ use serde_json::{Map, Value as Json, json};
 
 use super::holes::CycleArg;
 use super::tool_numbers::ToolArg;
+use super::tool_table::StatedTool;
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{ClCycleKind, GivenMeanings, OwnStatement, not_inert};
 use crate::keys::{
@@ -25,18 +26,17 @@ pub enum Sense {
     CounterClockwise,
 }
 
-/// Handling of a frame that differs from the first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+/// In which frame the points after a frame are that differs from the first, where no tool axis states it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Frames {
-    /// Refuse it; the message names both lines.
-    #[default]
-    Refuse,
-    /// Map its points and tool axes into the first frame.
+    /// In it: they are mapped into the first.
     Main,
+    /// In the first frame of the file.
+    First,
 }
 
 impl Frames {
-    const NAMES: [(&'static str, Self); 2] = [("refuse", Self::Refuse), ("main", Self::Main)];
+    const NAMES: [(&'static str, Self); 2] = [("main", Self::Main), ("first", Self::First)];
 }
 
 /// Where a set-up after the first begins in the CL data.
@@ -95,6 +95,8 @@ options! {
         cl_point: ClPoint = ClPoint::Tip, key("cl_point", OneOf(&ClPoint::NAMES));
         /// The same by tool number, where it differs.
         cl_point_of: BTreeMap<u32, ClPoint> = BTreeMap::new();
+        /// What the configuration states about tools, by tool number.
+        tools: BTreeMap<u32, StatedTool> = BTreeMap::new();
         /// CAM system of the CL data, if the file does not identify it or identifies it wrongly: "nx", "catia", "creo",
         /// "solidworks", "iso" or "autodesk" (posts of Fusion, Inventor CAM, HSMWorks).
         dialect: Option<Dialect> = None, key("cl.dialect", OneOf(&Dialect::NAMES), "\"nx\"");
@@ -110,9 +112,10 @@ options! {
         /// there; spindle and coolant are off; after the blocks the machine retracts, and everything is stated anew. Their
         /// effect needs no declaration.
         probes: Vec<OwnStatement> = Vec::new(), key("cycles.probe", Probes);
-        /// A frame that differs from the first and is in no set-up: "refuse", or "main" (mapped into the first). With
-        /// `[set_ups]` it belongs to the first set-up.
-        frames: Frames = Frames::Refuse, key("cl.frames", OneOf(&Frames::NAMES));
+        /// In which frame the points after a frame are that differs from the first: "main" (in it; they are mapped into the first
+        /// one of their set-up) or "first" (in the first frame of the file). Tool axes state it where its Z is tilted; a key that
+        /// they contradict is an error.
+        frames: Option<Frames> = None, key("cl.frames", OneOf(&Frames::NAMES), "\"main\"");
         /// Set-ups after the first.
         set_ups: Vec<SetUpBegins> = Vec::new();
         /// Sense of every CIRCLE about its axis, "cw" or "ccw". Without it the count of its numbers decides.

@@ -57,6 +57,11 @@ impl PathState {
         self.rapid = rapid;
     }
 
+    /// Whether the next motion is a rapid.
+    pub(crate) fn is_rapid(&self) -> bool {
+        self.rapid
+    }
+
     /// Returns whether RAPID is set, and cancels it.
     pub(crate) fn take_rapid(&mut self) -> bool {
         std::mem::take(&mut self.rapid)

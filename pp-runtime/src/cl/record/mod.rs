@@ -43,7 +43,7 @@ pub use self::nurbs::NurbsRecord;
 pub use self::own::OwnStatement;
 pub use self::program::ProgramRecord;
 pub use self::subprogram::{SubprogramName, SubprogramRecord};
-pub use self::tool::{CutterRecord, MOST_TOOL_NUMBERS, ToolCallRecord, ToolRecord};
+pub use self::tool::{CutterKind, CutterRecord, MOST_TOOL_NUMBERS, ToolCallRecord, ToolRecord};
 pub use self::values::{AxisPlane, Numbers, Point, Text};
 pub use self::words::{list, not_inert};
 pub use super::text::Span;

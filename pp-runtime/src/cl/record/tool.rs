@@ -12,6 +12,28 @@ pub struct CutterRecord {
     pub diameter: f64,
     /// Corner radius, if the record gives one.
     pub corner_radius: Option<f64>,
+    /// Kind of the tool, if the record gives one: TLDATA.
+    pub kind: Option<CutterKind>,
+}
+
+/// Kind of a tool in TLDATA.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CutterKind {
+    /// `TLDATA/MILL,..`.
+    Mill,
+    /// `TLDATA/DRILL,..`.
+    Drill,
+}
+
+impl CutterKind {
+    /// Its word in TLDATA.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Mill => "MILL",
+            Self::Drill => "DRILL",
+        }
+    }
 }
 
 /// A tool call, lengths in units of the file.
@@ -141,7 +163,7 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
 pub(crate) fn cutter(args: &mut Args<'_>) -> Result<CutterRecord, ClFault> {
     let (numbers, size): ([f64; 2], usize) = args.first_numbers()?;
     match size + args.numbers_without_effect()? {
-        1..=7 => cutter_of(numbers[0], (size > 1).then_some(numbers[1]), args.all()),
+        1..=7 => cutter_of(None, numbers[0], (size > 1).then_some(numbers[1]), args.all()),
         found => Err(args.wrong_count("1 to 7 numbers", found)),
     }
 }
@@ -165,10 +187,16 @@ pub(crate) fn data(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
     if found < if is_mill { 2 } else { 1 } {
         return Err(args.wrong_count("at least the diameter and, for MILL, the corner radius", found));
     }
-    cutter_of(numbers[0], is_mill.then_some(numbers[1]), args.all()).map(ToolRecord::Cutter)
+    let kind = Some(if is_mill { CutterKind::Mill } else { CutterKind::Drill });
+    cutter_of(kind, numbers[0], is_mill.then_some(numbers[1]), args.all()).map(ToolRecord::Cutter)
 }
 
-fn cutter_of(diameter: f64, corner_radius: Option<f64>, at: Span) -> Result<CutterRecord, ClFault> {
+fn cutter_of(
+    kind: Option<CutterKind>,
+    diameter: f64,
+    corner_radius: Option<f64>,
+    at: Span,
+) -> Result<CutterRecord, ClFault> {
     if diameter < 0.0 || corner_radius.is_some_and(|radius| radius < 0.0) {
         return Err(ClFault::new(
             "size of the cutter",
@@ -177,7 +205,7 @@ fn cutter_of(diameter: f64, corner_radius: Option<f64>, at: Span) -> Result<Cutt
             "check the tool's description in the CAM system",
         ));
     }
-    Ok(CutterRecord { diameter, corner_radius })
+    Ok(CutterRecord { diameter, corner_radius, kind })
 }
 
 /// LOAD/TOOL.
@@ -240,7 +268,10 @@ impl Display for ToolCallRecord {
 
 impl Display for CutterRecord {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        write!(out, "CUTTER/{}", ClNumber(self.diameter))?;
+        match self.kind {
+            None => write!(out, "CUTTER/{}", ClNumber(self.diameter))?,
+            Some(kind) => write!(out, "TLDATA/{},{}", kind.word(), ClNumber(self.diameter))?,
+        }
         self.corner_radius.map_or(Ok(()), |radius| write!(out, ",{}", ClNumber(radius)))
     }
 }

@@ -301,10 +301,11 @@ fn only_tiny_cutters_in_claimed_millimetres_are_inches() {
 fn a_second_frame_is_refused_with_both_lines() {
     let frame = "MSYS/1,2,3,1,0,0,0,1,0\n";
     events(&format!("{frame}GOTO/0,0,0\nMSYS/1.00009,2,3,1,0,0,0,1,0\nGOTO/0,0,0\n"));
-    let expected = "3:6+22 the frame in line 3 differs from the workpiece frame in line 1";
-    refused(&format!("{frame}GOTO/0,0,0\nMSYS/1.0002,2,3,1,0,0,0,1,0\n"), expected);
+    let expected = "the frame in line 3 differs from the workpiece frame in line 1, and nothing states in which of them its points \
+                    are: its Z is that of the first frame";
+    refused(&format!("{frame}GOTO/0,0,0\nMSYS/1.0002,2,3,1,0,0,0,1,0\n"), &format!("3:6+22 {expected}"));
     let turned = format!("{frame}GOTO/0,0,0\nMSYS/1,2,3,0,1,0,-1,0,0\n");
-    refused(&turned, "3:6+18 the frame in line 3 differs from the workpiece frame in line 1");
+    refused(&turned, &format!("3:6+18 {expected}"));
     let skew = "MSYS/0,0,0,1,0,0,1,0,0\nGOTO/0,0,0\n";
     refused(skew, "1:6+17 the axes of this frame are not perpendicular, right-handed unit vectors");
 }

@@ -37,17 +37,80 @@ const TWO_FRAMES: &str = "MSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,2,3\nMSYS/11,0,0,0,1,0,
 
 #[test]
 fn a_second_frame_is_mapped_into_the_first_or_begins_a_set_up() {
-    let found = events_without_places(TWO_FRAMES, ReadingOptions { frames: Frames::Main, ..mm() });
+    let found = events_without_places(TWO_FRAMES, ReadingOptions { frames: Some(Frames::Main), ..mm() });
     assert_eq!(found[1..], ["SafeSequence", "feed 8 1 3 axis 0 0.6 0.8 None"]);
     let found = events_without_places(TWO_FRAMES, with_set_up(&[2], None));
     assert_eq!(found[1..], ["Home", CLAMPED, "Stop", "SetUp(2)", "feed 1 2 3 axis 0.6 0 0.8 None"]);
     // The first frame again, then the second under its own number.
     let back = format!("{TWO_FRAMES}MSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,2,3,0,0,1\nMSYS/11,0,0,0,1,0,-1,0,0\nGOTO/0,0,0\n");
-    let found = events_without_places(&back, ReadingOptions { frames: Frames::Main, ..mm() });
+    let found = events_without_places(&back, ReadingOptions { frames: Some(Frames::Main), ..mm() });
     assert!(found[4].starts_with("feed 1 2 3 axis 0 0 1") && found[6].starts_with("feed 10 0 0"), "{found:?}");
     let found = events_without_places(&back, with_set_up(&[2], None));
     let set_ups: Vec<&String> = found.iter().filter(|event| event.starts_with("SetUp")).collect();
     assert_eq!(set_ups, ["SetUp(2)", "SetUp(1)", "SetUp(2)"]);
+}
+
+/// A face whose Z is the model's X, with its origin at (50, 0, 0), after a first face.
+const FACE: &str = "MSYS/0,0,0,1,0,0,0,1,0\nGOTO/0,0,9\nMSYS/50,0,0,0,0,-1,0,1,0\n";
+
+#[test]
+fn tool_axes_state_in_which_frame_the_points_are() {
+    let own = events_without_places(&format!("{FACE}GOTO/1,2,3,0,0,1\nGOTO/1,2,0\n"), MM);
+    assert_eq!(own[1..], ["SafeSequence", "feed 53 2 -1 axis 1 0 0 None", "feed 50 2 -1 axis 1 0 0 None"]);
+    let first = events_without_places(&format!("{FACE}GOTO/60,2,3,1,0,0\nGOTO/50,2,3\n"), MM);
+    assert_eq!(first[1..], ["SafeSequence", "feed 60 2 3 axis 1 0 0 None", "feed 50 2 3 axis 1 0 0 None"]);
+    let by_tlaxis = events_without_places(&format!("{FACE}TLAXIS/1,0,0\nGOTO/60,2,3\n"), MM);
+    assert_eq!(by_tlaxis[1..], ["SafeSequence", "feed 60 2 3 axis 1 0 0 None"]);
+    // Without one, plunge and retract along its own Z.
+    let bare = events_without_places(&format!("{FACE}RAPID\nGOTO/1,2,30\nGOTO/1,2,0\nGOTO/9,2,0\n"), MM);
+    assert_eq!(bare[2], "rapid 80 2 -1 axis 1 0 0 None");
+    let mut reader = ClReader::new(FACE.as_bytes(), mm());
+    while reader.next_event().unwrap().is_some() {}
+    assert_eq!(reader.frame_vote(), crate::cl::FrameVote { mapped: 1, ..Default::default() });
+}
+
+#[test]
+fn a_frame_is_refused_where_the_records_state_both_or_neither() {
+    let fault = |text: &str| errors(&format!("{FACE}{text}"));
+    let unknown = |found: Vec<String>, why: &str| {
+        assert!(found[0].contains("nothing states in which of them") && found[0].ends_with(why), "{found:?}");
+    };
+    unknown(fault("GOTO/1,2,3,.6,0,.8\n"), "the tool axis 0.6, 0, 0.8 is along neither Z");
+    unknown(fault("GOTO/1,2,3\nGOTO/9,9,0\n"), "no plunge or retract is along its Z");
+    let both = fault("GOTO/1,2,3,0,0,1\nGOTO/60,2,3,1,0,0\n");
+    assert!(
+        both[0].contains("in it by the tool axis 0, 0, 1 of line 4") && both[0].contains("1, 0, 0 of line 5"),
+        "{both:?}"
+    );
+    // Its points are in the first frame, where the tool comes along X; no record states that axis.
+    let sideways = fault("RAPID\nGOTO/90,2,3\nGOTO/50,2,3\nGOTO/50,9,3\nRAPID\nGOTO/90,9,3\n");
+    assert!(sideways[0].starts_with("3:1+1") && sideways[0].contains("their tool axis is not stated"), "{sideways:?}");
+    // Two faces, each in its own way.
+    let other = "MSYS/0,0,0,1,0,0,0,0,1\nGOTO/1,-9,3,0,-1,0\n";
+    let mixed = fault(&format!("GOTO/1,2,3,0,0,1\n{other}"));
+    assert!(mixed[0].contains("in it by the tool axis of line 4") && mixed[0].contains("of line 6"), "{mixed:?}");
+    for (frames, axis) in [(Frames::Main, "1,0,0"), (Frames::First, "0,0,1")] {
+        let given = ReadingOptions { frames: Some(frames), ..mm() };
+        let found = errors_with(&format!("{FACE}GOTO/1,2,3,{axis}\n"), given);
+        assert!(found[0].contains("is contradicted by the tool axis"), "{found:?}");
+    }
+    assert!(fault("CLEARP/XYPLAN,9\nGOTO/1,2,3,0,0,1\n")[0].contains("CLEARP comes before a point"));
+}
+
+#[test]
+fn an_option_decides_for_a_path_that_tilts_the_tool_from_its_begin() {
+    for (frames, expected) in [(Frames::Main, "feed 53 2 -1"), (Frames::First, "feed 1 2 3")] {
+        let given = ReadingOptions { frames: Some(frames), ..mm() };
+        let found = events_without_places(&format!("{FACE}GOTO/1,2,3,.6,0,.8\nGOTO/1,2,3,0,.6,.8\n"), given);
+        assert!(found[2].starts_with(expected), "{found:?}");
+    }
+}
+
+/// The points of a set-up of its own are in its frame, unless a tool axis says that they are in the first.
+#[test]
+fn points_of_a_set_up_may_be_in_the_first_frame() {
+    let found = events_without_places(&format!("{FACE}GOTO/60,2,3,1,0,0\n"), with_set_up(&[2], None));
+    assert_eq!(found.last().map(String::as_str), Some("feed -3 2 10 axis 0 0 1 None"));
 }
 
 /// Reading with a second set-up that has these frames, or begins with this operation.
@@ -61,7 +124,8 @@ fn with_set_up(frames: &[u32], operation: Option<&str>) -> ReadingOptions {
 fn frames_of_a_set_up_are_mapped_into_its_first() {
     let frame = |x: u32| format!("MSYS/{x},0,0,1,0,0,0,1,0\nGOTO/1,0,0\n");
     let text: String = [0, 10, 5, 17].map(frame).concat();
-    let found = events_without_places(&text, with_set_up(&[2, 4], None));
+    let found =
+        events_without_places(&text, ReadingOptions { frames: Some(Frames::Main), ..with_set_up(&[2, 4], None) });
     let points: Vec<&str> = found.iter().filter_map(|event| event.strip_prefix("feed ")?.split(' ').next()).collect();
     assert_eq!(points, ["1", "1", "6", "8"], "{found:?}");
     assert_eq!(found.iter().filter(|event| *event == "Stop").count(), 3);
@@ -74,7 +138,9 @@ fn a_set_up_may_begin_with_the_name_of_an_operation() {
     let text = "TOOL PATH/OP10,TOOL,A\nMSYS/0,0,0,1,0,0,0,1,0\nGOTO/1,0,0\nEND-OF-PATH\n\
                 TOOL PATH/OP20,TOOL,A\nMSYS/10,0,0,1,0,0,0,1,0\nGOTO/1,0,0\nEND-OF-PATH\n\
                 TOOL PATH/OP30,TOOL,A\nMSYS/15,0,0,1,0,0,0,1,0\nGOTO/1,0,0\n";
-    let found = events_without_places(text, with_set_up(&[], Some("op20")));
+    assert!(errors_with(text, with_set_up(&[], Some("op20")))[0].contains("the frame in line 10 differs"));
+    let found =
+        events_without_places(text, ReadingOptions { frames: Some(Frames::Main), ..with_set_up(&[], Some("op20")) });
     let position = |what: &str| found.iter().position(|event| event.contains(what)).expect("an event");
     assert!(position("SetUp(2)") < position("OP20") && position("Stop") < position("SetUp(2)"), "{found:?}");
     let points: Vec<&str> = found.iter().filter_map(|event| event.strip_prefix("feed ")?.split(' ').next()).collect();
@@ -84,7 +150,7 @@ fn a_set_up_may_begin_with_the_name_of_an_operation() {
 #[test]
 fn a_frame_before_units_is_in_that_unit_too() {
     let text = "MSYS/1,0,0,1,0,0,0,1,0\nUNITS/INCH\nGOTO/0,0,0\nMSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,0,0\nMSYS/2,0,0,1,0,0,0,1,0\nGOTO/0,0,0\n";
-    let found = events_without_places(text, ReadingOptions { frames: Frames::Main, ..ReadingOptions::default() });
+    let found = events_without_places(text, ReadingOptions { frames: Some(Frames::Main), ..ReadingOptions::default() });
     assert_eq!(found[1..], ["feed 25.4 0 0 axis 0 0 1 None", "SafeSequence", "feed 25.4 0 0 axis 0 0 1 None"]);
 }
 
@@ -93,7 +159,7 @@ fn a_clearance_plane_belongs_to_its_frame() {
     let text = format!("CLEARP/XYPLAN,50\n{TWO_FRAMES}RETRCT\n");
     let found = errors_with(&text, with_set_up(&[2], None));
     assert_eq!(found, ["6:1+6 RETRCT needs a clearance plane, and no CLEARP comes before it"]);
-    let found = events_without_places(&text, ReadingOptions { frames: Frames::Main, ..mm() });
+    let found = events_without_places(&text, ReadingOptions { frames: Some(Frames::Main), ..mm() });
     assert_eq!(found.last().map(String::as_str), Some("rapid 8 36.25 50 axis 0 0.6 0.8 None"));
 }
 
@@ -128,7 +194,8 @@ fn rows(x: f64) -> String {
 #[test]
 fn a_matrix_of_catia_is_a_frame_without_its_label_too() {
     let title = "$$     CATIA APT VERSION 1.0\n";
-    let expected = "the frame in line 9 differs from the workpiece frame in line 5";
+    let expected = "the frame in line 9 differs from the workpiece frame in line 5, and nothing states in which of them its points \
+                    are: its Z is that of the first frame";
     refused(
         &format!("$$*CATIA0\n$$ P\n{}GOTO/1,2,3\n{}GOTO/1,2,3\n", rows(-220.0), rows(500.0)),
         &format!("9:1+15 {expected}"),
@@ -138,7 +205,7 @@ fn a_matrix_of_catia_is_a_frame_without_its_label_too() {
     {
         let text = format!("{begin}{}GOTO/1,2,3\n{begin}{}GOTO/1,2,3\n", rows(-220.0), rows(500.0));
         assert!(errors(&text).concat().contains("differs from the workpiece frame"), "{text}");
-        let mapped = events_without_places(&text, ReadingOptions { frames: Frames::Main, ..mm() });
+        let mapped = events_without_places(&text, ReadingOptions { frames: Some(Frames::Main), ..mm() });
         assert_eq!(mapped[1..], ["SafeSequence", "feed 721 2 3 axis 0 0 1 None"], "{text}");
         let equal = format!("{begin}{}GOTO/1,2,3\n{begin}{}GOTO/1,2,3\n", rows(-220.0), rows(-220.0));
         assert_eq!(events(&equal).len(), 2, "{equal}");
@@ -169,7 +236,7 @@ fn a_remark_with_an_arrow_is_the_record_that_a_comment_with_one_is() {
             errors(&text).concat().contains("the frame in line 4 differs from the workpiece frame in line 1"),
             "{text}"
         );
-        let mapped = events_without_places(&text, ReadingOptions { frames: Frames::Main, ..mm() });
+        let mapped = events_without_places(&text, ReadingOptions { frames: Some(Frames::Main), ..mm() });
         assert_eq!(mapped[1..], ["SafeSequence", "feed 101 2 3 axis 0 0 1 None"], "{text}");
     }
     let tool = events("LOADTL/1\nREMARK -> CUTTER / 12.5\nGOTO/0,0,0\n");

@@ -398,7 +398,7 @@ proptest! {
             }
         }
         let text = lines.join(&b'\n');
-        let options = ReadingOptions { insert: crate::cl::Insert::Write, frames: crate::cl::Frames::Main, ..ReadingOptions::from(MM) };
+        let options = ReadingOptions { insert: crate::cl::Insert::Write, frames: Some(crate::cl::Frames::Main), ..ReadingOptions::from(MM) };
         let mut reader = ClReader::new(&text[..], options);
         let mut motions = 0;
         while let Some((place, event)) = reader.next_event().unwrap() {

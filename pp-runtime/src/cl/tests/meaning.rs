@@ -115,22 +115,6 @@ fn a_cutter_without_a_tool_does_not_reach_the_next_operation() {
 }
 
 #[test]
-fn a_cutter_that_changes_without_a_tool_record_causes_a_warning() {
-    let warnings = |text: &str| {
-        let found = read_from(text.as_bytes(), MM).diagnostics;
-        assert!(found.iter().all(|found| found.severity == Severity::Warning), "{found:?}");
-        found.iter().map(|found| format!("{} {}", found.location.line, found.text)).collect::<Vec<_>>()
-    };
-    let change = "the cutter changes from 16.000 mm to 8.000 mm without a tool call";
-    let operation = |d: u32, call: &str| format!("TOOL PATH/A,TOOL,D{d}\nTLDATA/MILL,{d},0,75,0,0\n{call}GOTO/0,0,0\n");
-    assert_eq!(warnings(&(operation(16, "") + &operation(8, ""))), [format!("6 {change}")]);
-    assert_eq!(warnings(&(operation(16, "LOAD/TOOL,1\n") + &operation(8, ""))), [format!("7 {change}")]);
-    assert_eq!(warnings(&(operation(16, "") + &operation(8, "LOAD/TOOL,1\n"))), [""; 0]);
-    assert_eq!(warnings(&(operation(16, "") + &operation(16, ""))), [""; 0]);
-    assert_eq!(warnings("CUTTER/16\nLOADTL/1\nGOTO/0,0,0\nCUTTER/8\nGOTO/0,0,9\nLOADTL/2\nGOTO/0,0,9\n").len(), 1);
-}
-
-#[test]
 fn the_same_tool_called_again_keeps_its_cutter() {
     let found = events("CUTTER/16,0\nLOADTL/1\nLOADTL/1,1,1\nLOADTL/2\nGOTO/0,0,0\n");
     assert!(found[1].contains("diameter_mm: Some(16.0)"), "{found:?}");

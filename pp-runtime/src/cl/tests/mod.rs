@@ -11,6 +11,7 @@ mod motions;
 mod options;
 mod round_trip;
 mod subprograms;
+mod tools;
 
 use super::{ClReader, ReadingOptions};
 use crate::diag::{Diagnostic, Severity};

@@ -240,10 +240,14 @@ fn states() -> BoxedStrategy<Record<'static>> {
         tool().prop_map(|value| Record::Tool(ToolRecord::Call(value))),
         (0..1000_u32).prop_map(|value| Record::Tool(ToolRecord::Preselect(value))),
         (positive(), prop::option::of(positive())).prop_map(|(diameter, corner_radius)| Record::Tool(
-            ToolRecord::Cutter(CutterRecord { diameter, corner_radius })
+            ToolRecord::Cutter(CutterRecord { diameter, corner_radius, kind: None })
         )),
+        (positive(), prop::option::of(positive())).prop_map(|(diameter, corner_radius)| {
+            let kind = Some(if corner_radius.is_some() { CutterKind::Mill } else { CutterKind::Drill });
+            Record::Tool(ToolRecord::Cutter(CutterRecord { diameter, corner_radius, kind }))
+        }),
         (positive(), prop::option::of(positive())).prop_map(|(diameter, corner_radius)| Record::Tool(
-            ToolRecord::CutterOfLastTool(CutterRecord { diameter, corner_radius })
+            ToolRecord::CutterOfLastTool(CutterRecord { diameter, corner_radius, kind: None })
         )),
         (0..1000_u32).prop_map(|register| Record::Tool(ToolRecord::LengthOffset { register, at: at() })),
         (positive(), feed_unit()).prop_map(|(value, unit)| Record::Machine(MachineRecord::Feed(FeedRecord {

@@ -507,7 +507,7 @@ pub(crate) struct SetUpArgs {
     /// Ignore this word of the CL data; may be repeated
     #[arg(long, value_name = "WORD", value_parser = inert)]
     pub(crate) inert: Vec<String>,
-    /// Treatment of a coordinate frame that differs from the first
+    /// Where the points after a coordinate frame are that differs from the first
     #[arg(long, value_enum)]
     frames: Option<FramesName>,
     /// Sense of every CIRCLE about its axis, instead of the sense found from its form
@@ -620,7 +620,7 @@ impl SetUpArgs {
         cl.dialect = self.dialect.map(Into::into).or(cl.dialect);
         cl.columns = self.columns.or(cl.columns);
         cl.inert.extend(self.inert.iter().cloned());
-        cl.frames = self.frames.map_or(cl.frames, Into::into);
+        cl.frames = self.frames.map(Into::into).or(cl.frames);
         cl.circle_sense = self.circle_sense.map(Into::into).or(cl.circle_sense);
         cl.insert = match (self.insert, self.allow_insert) {
             (_, true) => Insert::Write,

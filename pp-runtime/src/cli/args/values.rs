@@ -177,17 +177,20 @@ impl From<DialectName> for Dialect {
     }
 }
 
-/// Treatment of a coordinate frame that differs from the first.
+/// In which frame the points after a frame are that differs from the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FramesName {
-    /// Its points are transformed into the first frame
+    /// In it: they are transformed into the first
     Main,
+    /// In the first frame of the file
+    First,
 }
 
 impl From<FramesName> for Frames {
     fn from(name: FramesName) -> Self {
         match name {
             FramesName::Main => Self::Main,
+            FramesName::First => Self::First,
         }
     }
 }

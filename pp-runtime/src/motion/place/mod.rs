@@ -276,6 +276,11 @@ impl Placer {
         self.head
     }
 
+    /// Whether the travel of all linear axes is known.
+    pub(crate) fn travel_is_known(&self) -> bool {
+        self.travel.is_known()
+    }
+
     /// Reason why the words depend on the tool length; `None` if they do not. `axes`: the program has axis positions, in
     /// stretches or on the way to tip control.
     pub(crate) fn needs_gauge_length(&self, axes: bool) -> Option<&'static str> {

@@ -79,6 +79,11 @@ impl TravelCheck {
         self.moved_mm = along_axes(machine, &(origin - self.first_origin));
     }
 
+    /// Whether the travel of all axes is known.
+    pub(crate) fn is_known(&self) -> bool {
+        self.axes.iter().all(|axis| axis.limits.is_some())
+    }
+
     /// Gauge length of the tool, if known, mm.
     pub(crate) fn gauge_length_mm(&self) -> Option<f64> {
         self.gauge_length_mm

@@ -6,7 +6,7 @@
 //! More than a full circle is split into full circles and the rest; where these do not stay within tolerance, into equal
 //! arcs of at most half a circle.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use crate::kinematics::{Pose, math};
 use crate::motion::options::{ArcForm, ArcOutput};
@@ -24,7 +24,7 @@ use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::MotionIndex;
 use crate::motion::step::BlockReason;
 use crate::motion::step::{AxisWords, FeedWord, Sink, Step};
-use crate::motion::tolerances::{ARC_END_DRIFT, MOST_REVOLUTIONS, ROUNDED_END, WHOLE_REVOLUTIONS};
+use crate::motion::tolerances::{ARC_END_DRIFT, LARGEST_LONG_WAY, MOST_REVOLUTIONS, ROUNDED_END, WHOLE_REVOLUTIONS};
 
 /// Reason why an arc is not written as an arc.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -144,6 +144,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             }
         }
         self.planner.check_state(&motion)?;
+        self.check_meant()?;
         self.planner.reach_stretch(&motion, index)?;
         let planned = self.planner.apply_course_changes(&motion, index)?;
         self.planner.restart_after_thread()?;
@@ -163,6 +164,20 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         position.forget_lead_out();
         self.planner.mover.arrive(&end);
         Ok(())
+    }
+
+    /// Refuses the long way round a circle that no machine holds: nearly always the sense of a flat arc is wrong. Where the travel is
+    /// known, that decides.
+    fn check_meant(&self) -> Result<(), Fault> {
+        let radius = self.round.radius();
+        if self.arc.angle_rad <= PI || radius <= LARGEST_LONG_WAY || self.planner.mover.placer().travel_is_known() {
+            return Ok(());
+        }
+        let degrees = self.arc.angle_rad.to_degrees();
+        Err(Fault::new(format_args!(
+            "this arc goes {degrees:.3} degrees round a circle with a radius of {radius:.3} mm"
+        ))
+        .help("check its sense: `--circle-sense`; if the machine holds the circle, state its travel in `[limits]`"))
     }
 
     fn statistics(&mut self) -> &mut Statistics {

@@ -161,9 +161,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         }
         self.planner.mover.output_mut().set_reason(BlockReason::Hole);
         self.planner.check_state(&bottom)?;
-        let mut place = *self.planner.mover.here();
-        match self.cycle(&mut place)? {
-            Ok(cycle) => self.run_cycle(&cycle, &place),
+        match self.cycle()? {
+            Ok((cycle, place)) => self.run_cycle(&cycle, &place),
             Err(why) if matches!(self.hole.drilling, Drilling::Tap { .. }) => {
                 let text = format!(
                     "tapping synchronises spindle and feed, which only a cycle of the control does: {}",
@@ -260,8 +259,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         self.rapid_to(hole.return_mm)
     }
 
-    /// The cycle of the hole, or the reason why there is none. Sets `place` to the place at its end.
-    fn cycle(&mut self, place: &mut AxisPosition) -> Result<Result<CannedCycle, NoCycle>, Fault> {
+    /// The cycle of the hole and the place at its end, or the reason why there is none.
+    fn cycle(&mut self) -> Result<Result<(CannedCycle, AxisPosition), NoCycle>, Fault> {
         let (hole, policy) = (self.hole, self.planner.policy);
         if policy.options.cycles.output == CycleOutput::Expanded {
             return Ok(Err(NoCycle::Expanded));
@@ -289,19 +288,19 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             Ok(kind) => kind,
             Err(why) => return Ok(Err(why)),
         };
-        *place = *self.planner.mover.here();
-        self.planner.mover.shift(place, hole.level(hole.clearance_mm).tip)?;
-        let (over, [x, y, z]) = (*place, chain);
+        let mut place = *self.planner.mover.here();
+        self.planner.mover.shift(&mut place, hole.level(hole.clearance_mm).tip)?;
+        let (over, [x, y, z]) = (place, chain);
         let words =
             AxisWords { units: self.planner.mover.placer().written(&over), mask: 1 << x | 1 << y, vector: None };
-        let bottom = self.shift_to_level(place, -hole.depth_mm, z)?;
-        let surface = self.shift_to_level(place, 0.0, z)?;
-        self.shift_to_end(place, &over, map.row(2).transpose(), z)?;
+        let bottom = self.shift_to_level(&mut place, -hole.depth_mm, z)?;
+        let surface = self.shift_to_level(&mut place, 0.0, z)?;
+        self.shift_to_end(&mut place, &over, map.row(2).transpose(), z)?;
         let dwell = hole.dwell.map(|dwell| self.planner.spindle.seconds(dwell)).transpose()?;
         let feed = self.feed(kind, &over)?;
-        let (clearance, back) = (words.units[z], self.planner.mover.placer().written(place)[z]);
+        let (clearance, back) = (words.units[z], self.planner.mover.placer().written(&place)[z]);
         let cycle = CannedCycle { kind, words, z, surface, clearance, bottom, back, dwell, feed };
-        Ok(self.mismatch(&cycle)?.map_or(Ok(cycle), Err))
+        Ok(self.mismatch(&cycle)?.map_or(Ok((cycle, place)), Err))
     }
 
     /// Moves a place to a level of the hole, and returns its word along Z.

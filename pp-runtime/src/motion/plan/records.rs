@@ -191,27 +191,16 @@ impl<S: Sink> Records<'_, '_, S> {
         Ok(())
     }
 
-    /// The tool of a record; remarks on a tool are made at its first call only.
+    /// The tool of a record.
     fn resolve(&mut self, call: &ToolCall) -> Result<LoadedTool, Fault> {
         let planner = &mut *self.planner;
-        let before = planner.tooling.called_before(call.number);
         let named = planner.policy.set_up.tools.get(&call.number).is_some_and(|tool| tool.name.is_some());
         if planner.abilities.tools_by_name && !named {
             let fault = Fault::new(format_args!("T{} has no name, and tools are called by their names", call.number));
             return Err(fault.help(format_args!("give `[tools.{}] name` in the configuration", call.number)));
         }
         let needed = planner.needs_gauge_length();
-        let mut remarks = Vec::new();
-        let registers = planner.abilities.registers;
-        let tool = LoadedTool::resolve(call, &before.unwrap_or_default(), planner.policy, needed, registers, |fault| {
-            remarks.push(fault);
-        });
-        if before.is_none() {
-            remarks.into_iter().for_each(|remark| planner.mover.output_mut().remark(remark));
-        }
-        let tool = tool?;
-        planner.tooling.call(call);
-        Ok(tool)
+        LoadedTool::resolve(call, planner.policy, needed, planner.abilities.registers)
     }
 
     /// STOP and OPSTOP.

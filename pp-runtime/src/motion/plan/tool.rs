@@ -8,7 +8,6 @@ use crate::set_up::GivenTool as Given;
 
 use crate::motion::fault::Fault;
 use crate::motion::plan::abilities::Registers;
-use crate::motion::tolerances::SAME_TOOL_SIZE;
 
 /// The tool in the spindle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,60 +32,30 @@ pub(crate) struct SpindleRequest {
 }
 
 impl LoadedTool {
-    /// The tool of a record; remarks go to `warn`.
-    ///
-    /// `before`: length and offset register of earlier records of the same tool. `needed`: reason why the words depend on
-    /// the length, if they do.
+    /// The tool of a record. `needed`: reason why the words depend on the length, if they do.
     pub(crate) fn resolve(
         call: &ToolCall,
-        before: &ToolCall,
         policy: Policy<'_>,
         needed: Option<&str>,
         registers: Registers,
-        mut warn: impl FnMut(Fault),
     ) -> Result<Self, Fault> {
         let number = call.number;
         let given = policy.set_up.tools.get(&number);
-        if let (Some(before), Some(now)) = (before.length_mm, call.length_mm)
-            && (before - now).abs() > SAME_TOOL_SIZE
-        {
-            return Err(Fault::new(format_args!("T{number} is called with two lengths, {before} mm and {now} mm")));
-        }
-        let length = match (given.and_then(|tool| tool.length_mm), call.length_mm.or(before.length_mm)) {
-            (Some(ours), Some(theirs)) if (ours - theirs).abs() > SAME_TOOL_SIZE => {
-                let fault = Fault::new(format_args!(
-                    "T{number} is {ours} mm long in the configuration and {theirs} mm in the CL data"
-                ))
-                .help(format_args!("measure the tool, and correct `[tools.{number}] length` or the CL data"));
-                if needed.is_some() {
-                    return Err(fault);
-                }
-                warn(fault);
-                Some(ours)
-            }
-            (ours, theirs) => ours.or(theirs),
-        };
+        let length = call.length_mm.or(given.and_then(|tool| tool.length_mm));
         if let Some(why) = needed
             && length.is_none()
         {
             return Err(Fault::new(format_args!("the gauge length of T{number} is unknown, and {why}"))
                 .help(format_args!("give `[tools.{number}] length` in the configuration, or LENGTH in LOADTL")));
         }
-        if let (Some(ours), Some(theirs)) = (given.and_then(|tool| tool.diameter_mm), call.diameter_mm)
-            && (ours - theirs).abs() > SAME_TOOL_SIZE
-        {
-            warn(Fault::new(format_args!(
-                "T{number} has a diameter of {ours} mm in the configuration and {theirs} mm in the CL data"
-            )));
-        }
-        let offset = given.and_then(|tool| tool.offset).or(call.length_offset).or(before.length_offset);
+        let offset = call.length_offset.or(given.and_then(|tool| tool.offset));
         let offset = registers.of_tool(number, offset).ok_or_else(|| {
             Fault::new(format_args!(
                 "T{number} is called with another length register, but this control takes the length from the row of the tool"
             ))
             .help(format_args!("remove the register from the CL data, or give `[tools.{number}] offset = {number}`"))
         })?;
-        let diameter = call.diameter_mm.or(before.diameter_mm).or(given.and_then(|tool| tool.diameter_mm));
+        let diameter = call.diameter_mm.or(given.and_then(|tool| tool.diameter_mm));
         Ok(Self { number, length_mm: length, offset, radius_mm: diameter.map(|diameter| 0.5 * diameter) })
     }
 }

@@ -1,8 +1,8 @@
-//! Tools of a program: the one in the spindle, the next one, and the data of earlier calls.
+//! Tools of a program: the one in the spindle, and the next one.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-use crate::program::{Dwell, ToolCall};
+use crate::program::Dwell;
 
 use crate::motion::plan::tool::LoadedTool;
 
@@ -14,8 +14,6 @@ pub(crate) struct Tooling {
     next: Option<LoadedTool>,
     /// Dwells (DELAY) after the record of the next tool.
     dwells: Vec<Dwell>,
-    /// Tools called so far, with the last length and offset register of the CL data.
-    calls: BTreeMap<u32, ToolCall>,
     /// Tools in the order of their changes, as far as known.
     order: Vec<u32>,
     /// Tools that cut with cutter compensation, where they are known.
@@ -87,19 +85,6 @@ impl Tooling {
     /// Tool of the next operation, where a tool record has called one.
     pub(crate) fn next(&self) -> Option<LoadedTool> {
         self.next
-    }
-
-    /// Data of earlier calls of a tool, merged.
-    pub(crate) fn called_before(&self, number: u32) -> Option<ToolCall> {
-        self.calls.get(&number).copied()
-    }
-
-    /// Takes the data of a tool record.
-    pub(crate) fn call(&mut self, call: &ToolCall) {
-        let before = self.calls.get(&call.number).copied().unwrap_or_default();
-        let (length, offset) = (call.length_mm.or(before.length_mm), call.length_offset.or(before.length_offset));
-        let diameter_mm = call.diameter_mm.or(before.diameter_mm);
-        self.calls.insert(call.number, ToolCall { length_mm: length, length_offset: offset, diameter_mm, ..*call });
     }
 
     /// Sets the tool of the next operation.

@@ -62,6 +62,7 @@ impl ToolBodies {
     }
 
     fn body(&mut self, number: u32, tool: &ClTool, given: &GivenTool) -> ToolBody {
+        // That of the tool table of the machine, where there is one.
         let length = given.length_mm.or(tool.call.length_mm);
         let holder_height: f64 = given.holder_mm.chunks(2).filter_map(|part| part.get(1)).sum();
         let nose = length.map(|length| length - holder_height);

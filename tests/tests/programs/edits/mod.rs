@@ -16,7 +16,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use tests::edits::{Edit, Posted, Verdict, edit, restarts_differ, verdict};
+use tests::edits::{Edit, Posted, Verdict, edit, restarts_differ, verdict, without_numbers};
 use tests::environment;
 use tests::foreign::{Control, Entry, Options, Refused, Trace, run};
 use tests::random::Random;
@@ -43,20 +43,6 @@ struct Tally {
     missed: usize,
     passed_refused: usize,
     falsely_found: usize,
-}
-
-/// Text without its numbers.
-fn without_numbers(text: &str) -> String {
-    let mut kind = String::new();
-    for letter in text.chars() {
-        match letter {
-            '0'..='9' if kind.ends_with('#') => {}
-            '0'..='9' => kind.push('#'),
-            '.' | '-' if kind.ends_with('#') => {}
-            letter => kind.push(letter),
-        }
-    }
-    kind
 }
 
 struct Failure {

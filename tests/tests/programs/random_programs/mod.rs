@@ -22,6 +22,7 @@ use pp_runtime::kinematics::Machine;
 use pp_runtime::{check, post};
 use tests::agreement::{self, Compared};
 use tests::damage::damage;
+use tests::edits::without_numbers;
 use tests::environment;
 use tests::foreign::{Control as Foreign, Options};
 use tests::random::Random;
@@ -154,19 +155,9 @@ fn same_motions<M: Machine>(case: &Case, config: &Config, program: &[u8]) -> Res
     agreement::compare::<M>(text, (config, case.control), &options, compared).map(|_| ())
 }
 
-/// Text of a fault without its numbers, the same for all faults of a kind.
+/// Text of a fault without its numbers and its line, the same for all faults of a kind.
 fn fault_kind(text: &str) -> String {
-    let text = text.split("; line").next().unwrap_or_default();
-    let mut kind = String::new();
-    for letter in text.chars() {
-        match letter {
-            '0'..='9' if kind.ends_with('#') => {}
-            '0'..='9' => kind.push('#'),
-            '.' | '-' if kind.ends_with('#') => {}
-            letter => kind.push(letter),
-        }
-    }
-    kind
+    without_numbers(text.split("; line").next().unwrap_or_default())
 }
 
 #[test]

@@ -21,6 +21,7 @@ use crate::set_up::ClPoint;
 impl RecordInterpreter {
     #[inline(always)]
     pub(crate) fn take_motion(&mut self, record: &MotionRecord<'_>, here: Location) -> Result<(), ClFault> {
+        self.emit_held_tool();
         match record {
             MotionRecord::From(point) => self.start_at(point, here),
             MotionRecord::Goto(point) => self.go_to(point, here),
@@ -120,7 +121,7 @@ impl RecordInterpreter {
     #[cold]
     fn move_to(&mut self, pose: Pose, at: Span, here: Location) -> Result<(), ClFault> {
         within_a_kilometre(pose.tip, at)?;
-        self.compare_cutter(at);
+        self.note_cut();
         if let Some(circle) = self.arc.circle() {
             let arc = self.arc_to(&circle, pose, at, here)?;
             self.emit(here, Event::Motion(ToolMotion::Arc(arc)));
@@ -137,11 +138,12 @@ impl RecordInterpreter {
         Ok(())
     }
 
-    /// Compares the cutter of a motion with the one before.
+    /// Notes that the next motion cuts, unless it is a rapid.
     #[inline(always)]
-    fn compare_cutter(&mut self, at: Span) {
-        if let Some(warning) = self.tool.compare(at) {
-            self.events.warn(warning);
+    fn note_cut(&mut self) {
+        if self.tool.is_described_anew() && !self.path.is_rapid() {
+            let taken = self.tool.cut(&self.options);
+            self.refuse(taken);
         }
     }
 
@@ -154,7 +156,7 @@ impl RecordInterpreter {
         here: Location,
     ) -> Result<Arc, ClFault> {
         let pose = self.pose(point, here)?;
-        self.compare_cutter(point.at);
+        self.note_cut();
         self.arc_to(circle, pose, point.at, here)
     }
 

@@ -86,10 +86,10 @@ impl RecordInterpreter {
     /// MSYS, Creo's CSYS comment, CATIA's matrix.
     fn take_frame(&mut self, record: &FrameRecord, here: Location) -> Result<(), ClFault> {
         let frame = self.stated_frame(record, here)?;
-        let options = (self.options.frames, &*self.options.set_ups);
-        match self.coordinates.take_frame(frame, record.at, options)? {
+        let (options, dialect) = ((self.options.frames, &*self.options.set_ups), self.dialect());
+        match self.coordinates.take_frame(frame, record.at, options, dialect)? {
             FrameChange::None => {}
-            FrameChange::Mapped => {
+            FrameChange::Frame => {
                 self.begin_operation();
                 self.coordinates.map_frame();
                 self.emit(here, Event::NewStart(NewStart::SafeSequence));
@@ -135,7 +135,7 @@ impl RecordInterpreter {
             ToolRecord::Cutter(cutter) => {
                 let cutter = self.cutter_in_millimetres(cutter)?;
                 match self.dialect() {
-                    Dialect::Creo => self.tool.describe_last(cutter, here),
+                    Dialect::Creo => self.describe_last(cutter, here),
                     Dialect::Generic
                     | Dialect::Nx
                     | Dialect::Catia
@@ -148,17 +148,22 @@ impl RecordInterpreter {
             }
             ToolRecord::CutterOfLastTool(cutter) => {
                 let cutter = self.cutter_in_millimetres(cutter)?;
-                self.tool.describe_last(cutter, here);
+                self.describe_last(cutter, here);
             }
             ToolRecord::LengthOffset { register, at } => self.tool.set_length_offset(*register, *at)?,
         }
         Ok(())
     }
 
+    fn describe_last(&mut self, cutter: CutterRecord, here: Location) {
+        let taken = self.tool.describe_last(cutter, here, &self.options);
+        self.refuse(taken);
+    }
+
     fn cutter_in_millimetres(&mut self, cutter: &CutterRecord) -> Result<CutterRecord, ClFault> {
         let unit_mm = self.units.millimetres(Span::WHOLE)?;
         let corner_radius = cutter.corner_radius.map(|radius| radius * unit_mm);
-        Ok(CutterRecord { diameter: cutter.diameter * unit_mm, corner_radius })
+        Ok(CutterRecord { diameter: cutter.diameter * unit_mm, corner_radius, ..*cutter })
     }
 
     fn call_tool(&mut self, call: &ToolCallRecord, here: Location) -> Result<(), ClFault> {

@@ -359,7 +359,7 @@ impl<'a> ModalWriter<'a> {
     #[inline(always)]
     pub(crate) fn feed_word(&mut self, value: Decimal) {
         match self.feed_words.get(value.decimals as usize) {
-            Some(form) => _ = self.writer.words([(form, value.units)]),
+            Some(form) => self.writer.words([(form, value.units)]),
             None => self.small_feed_word(value),
         }
     }
