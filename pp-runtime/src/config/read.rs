@@ -7,7 +7,7 @@ use crate::control::{CONTROLS, Control};
 use crate::diag::Diagnostic;
 use crate::keys::{KeyReader, KeyScope, KeyTable, Keys};
 use crate::kinematics::{AnyMachine, Machine};
-use crate::set_up::along_axes;
+use crate::set_up::{LengthMode, along_axes};
 
 use super::{Config, Rapid, Units, starting_point};
 
@@ -116,6 +116,11 @@ impl Config {
     /// Checks that concern several keys.
     fn check(&self, machine: &dyn AnyMachine, r: &mut KeyReader<'_>, file: &mut KeyTable<'_>) {
         self.check_set_ups(r, file);
+        if self.motion.guards.length_guard == Some(true) && self.set_up.length_mode == LengthMode::Gauge {
+            let span = file.get("length_guard", r).map_or(0..0, |value| value.span());
+            let help = "in that mode no length offset is active: remove `length_guard`".to_owned();
+            r.fault(span, "`length_guard = true` beside `length_mode = \"gauge\"`", Some(help));
+        }
         let rapids = &self.motion.rapids;
         if rapids.rapid == Rapid::Feed && rapids.rapid_feed_mm_per_min.is_none() && !r.is_given("rapid_feed") {
             let help = "give it per minute: `rapid_feed = 10000`".to_owned();

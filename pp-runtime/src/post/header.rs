@@ -353,6 +353,22 @@ fn gauge_length_mm(tool: &ToolUse, config: &Config) -> Option<f64> {
     tool.call.length_mm.or_else(|| config.set_up.tools.get(&tool.call.number)?.length_mm)
 }
 
+/// Whether the program can compare the tool length in the control's offset with the posted one (`length_guard`).
+pub(crate) fn can_guard_length(job: &Job<'_>, tool: &ToolUse) -> bool {
+    let (config, number) = (job.config, tool.call.number);
+    let given = config.set_up.tools.get(&number).and_then(|given| given.offset);
+    let registers = &job.control.spellings().length.registers;
+    let guard = || {
+        let offset = registers.of_tool(number, tool.call.length_offset.or(given))?;
+        let length_mm = gauge_length_mm(tool, config)?;
+        let tolerance_mm = config.motion.guards.length_tolerance_mm;
+        // Which unit the program has does not matter.
+        let units = Units::Millimetres;
+        Some(job.control.length_guard(&LengthGuard { label: 1, tool: number, offset, length_mm, tolerance_mm, units }))
+    };
+    guard().is_some_and(|blocks| !blocks.is_empty())
+}
+
 /// One sentence for each reason why limits of linear axes were not checked, with the axes.
 pub(crate) fn unchecked_limits(axes: &[(char, &'static str)]) -> Vec<String> {
     let mut lines: Vec<(&str, String)> = Vec::new();
@@ -637,17 +653,6 @@ impl Header<'_> {
         format!("AXIS {letter}{moves}, {word}")
     }
 
-    /// Whether the program can compare the tool length in the control's offset with the posted one (`length_guard`).
-    fn can_guard_length(&self, tool: u32, offset: Option<u32>, length_mm: f64) -> bool {
-        let Some(offset) = self.job.control.spellings().length.registers.of_tool(tool, offset) else { return false };
-        let (tolerance, units) = (self.job.config.motion.guards.length_tolerance_mm, self.units);
-        !self
-            .job
-            .control
-            .length_guard(&LengthGuard { label: 1, tool, offset, length_mm, tolerance_mm: tolerance, units })
-            .is_empty()
-    }
-
     /// Data and use of a tool; a second line where the program is valid for its posted length only.
     fn tool_lines(&self, tool: &ToolUse) -> Vec<String> {
         let config = self.job.config;
@@ -686,7 +691,7 @@ impl Header<'_> {
                 || self.survey.modes.has(StretchMode::Axes) && rotaries(self.machine, Side::Tool).next().is_some())
         {
             let mut held = format!("{register} must hold exactly this");
-            if config.motion.guards.length_guard != Some(false) && !self.can_guard_length(number, offset, length) {
+            if config.motion.guards.length_guard != Some(false) && !can_guard_length(self.job, tool) {
                 held += "; no block of this program compares it";
             }
             let length = self.length(length);

@@ -406,6 +406,12 @@ pub(crate) fn post_data(
     {
         survey.refuse(unknown_part_origin(tilted));
     }
+    if job.config.motion.guards.length_guard == Some(true)
+        && survey.first_error.is_none()
+        && let Some(tool) = survey.tools.iter().find(|tool| !header::can_guard_length(job, tool))
+    {
+        return Err(PostError::Unfit(unguarded(tool.call.number)));
+    }
     let mut report = Report::of(machine, job, &survey);
     let machine = match &ready {
         Ok(ready) => &**ready,
@@ -431,6 +437,14 @@ pub(crate) fn post_data(
     pass.write(text.events()?, mapped, course, moving, &mut report)?;
     report.diagnostics.sort_by_key(|diagnostic| diagnostic.location);
     Ok(report)
+}
+
+/// The error that `length_guard` is requested, and no block can compare the length of this tool.
+fn unguarded(number: u32) -> String {
+    format!(
+        "`length_guard = true`, and no block of this control compares the length of T{number}: the length is not known, or the control \
+         reads no other register than that of the tool; give `[tools.{number}] length` without `offset`, or remove `length_guard`"
+    )
 }
 
 /// The error that the place of the part on a table that rotates is not known.

@@ -31,6 +31,7 @@ mod plane_guards;
 mod random_programs;
 mod restart;
 mod set_ups;
+mod settings;
 #[cfg(debug_assertions)]
 mod shortcuts;
 mod stream;

@@ -154,7 +154,7 @@ impl FrameReading {
 
     /// Whether its Z is that of the first frame, so that no record can state the reading.
     pub(crate) fn is_upright(&self) -> bool {
-        self.columns.iter().all(|column| distance(*column, UP) <= SAME_DIRECTION)
+        self.columns.first().is_none_or(|column| distance(*column, UP) <= SAME_DIRECTION)
     }
 
     /// The frame is stated, or stated again.
@@ -197,10 +197,10 @@ impl FrameReading {
         let found = match (is(&UP), self.columns.iter().any(is)) {
             (true, false) => PointsIn::Own,
             (false, true) => PointsIn::First,
-            (true, true) => return Ok(()),
-            (false, false) => {
-                self.tilts = true;
-                let why = || format!("the tool axis {} is along neither Z", shown(axis));
+            (both, _) => {
+                self.tilts |= !both;
+                let which = if both { "both" } else { "neither" };
+                let why = || format!("the tool axis {} is along {which} Z", shown(axis));
                 return if self.is_open() { Err(self.unknown(point.at, &why())) } else { Ok(()) };
             }
         };
