@@ -9,7 +9,7 @@ use crate::keys::{KeyReader, KeyScope, KeyTable, Keys};
 use crate::kinematics::{AnyMachine, Machine};
 use crate::set_up::{LengthMode, along_axes};
 
-use super::{Config, Rapid, Units, starting_point};
+use super::{Config, CutterPath, Rapid, Units, starting_point};
 
 impl Config {
     /// Reads a configuration file for the machine `M` and a control, which has number formats of its own: the configuration with
@@ -68,6 +68,7 @@ impl Config {
             (number, tool)
         });
         self.cl.tools.extend(tools);
+        self.cl.compensates_centre = self.motion.compensation.map(|path| path == CutterPath::Centre);
         let begins = self.set_up.set_ups.iter().map(|(&number, set_up)| SetUpBegins {
             number,
             frames: set_up.frames.clone(),

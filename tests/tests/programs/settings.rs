@@ -161,7 +161,7 @@ const CASES: &[Case] = &[
         key: "compensation.path",
         config: "compensation.path = 'contour'",
         states: "$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER\nCUT",
-        then: Refused("OUTPUT_ON_CENTER"),
+        then: Refused("the path with CUTCOM is that of the centre by this record"),
     },
     Case {
         key: "length_guard",
@@ -192,11 +192,12 @@ const CYCLES: &str = "RAPID\nGOTO/0,0,50\nCYCLE/DRILL,DEPTH,10,MMPM,100,CLEAR,2,
 
 fn cl(case: &Case) -> String {
     let head = "UNITS/MM\nCUTTER/10,1\nLOADTL/1,LENGTH,100\nSPINDL/RPM,3000,CLW\nFEDRAT/MMPM,500\n";
-    format!(
-        "{head}{}\nFINI\n",
-        case.states.replace("CUT\n", CUT).replace("CYCLES", CYCLES).replace("\nCUT", &format!("\n{CUT}"))
-    )
-    .replace("\nCUT\n", &format!("\n{CUT}"))
+    let record = |line: &str| match line {
+        "CUT" => CUT.to_owned(),
+        "CYCLES" => CYCLES.to_owned(),
+        other => format!("{other}\n"),
+    };
+    format!("{head}{}FINI\n", case.states.lines().map(record).collect::<String>())
 }
 
 /// The program, or why there is none.

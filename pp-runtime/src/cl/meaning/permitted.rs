@@ -91,6 +91,7 @@ impl Permitted {
             }
             MachineRecord::Rapid | MachineRecord::Spindle(_) | MachineRecord::Compensation { .. } => Self::ORDINARY,
             MachineRecord::Delay { .. } | MachineRecord::RotaryDirection(_) => Self::ORDINARY,
+            MachineRecord::CompensatedPath { .. } => Self::ANYWHERE,
         }
     }
 

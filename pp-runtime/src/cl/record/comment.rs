@@ -7,10 +7,11 @@
 
 use super::Record;
 use super::coordinates::{CoordinateRecord, FrameRecord};
+use super::machine::MachineRecord;
 use super::tool::{ToolRecord, cutter};
 use super::words::look_up;
 use crate::cl::dialect::Dialect;
-use crate::cl::text::{Args, ClFault, Span, number_at_start, skip_blanks};
+use crate::cl::text::{Args, ClFault, MajorWord, Span, number_at_start, skip_blanks};
 
 /// Name in the first lines of a file of Pro/ENGINEER and Creo.
 const CREO_NAME: &[u8] = b"Pro/CLfile";
@@ -134,10 +135,20 @@ pub(crate) fn remark_dialect(text: &[u8]) -> Dialect {
     if creo { Dialect::Creo } else { Dialect::Generic }
 }
 
+/// Whether the points before and after CUTCOM are those of the centre of the tool or of the contour (parameter of a sequence of
+/// Creo).
+const GEOMETRY_TYPE: MajorWord =
+    MajorWord { name: "CUTCOM_GEOMETRY_TYPE", forms: " / OUTPUT_ON_CENTER; / OUTPUT_ON_PROFILE" };
+
 /// `-> WORD / arguments`; `start` is the byte after the arrow.
 fn of_creo(text: &[u8], start: usize) -> Result<Record<'static>, ClFault> {
     let start = skip_blanks(text, start);
     let end = start + text[start..].iter().take_while(|byte| byte.is_ascii_alphanumeric() || **byte == b'_').count();
+    if text[start..end].eq_ignore_ascii_case(GEOMETRY_TYPE.name.as_bytes()) {
+        let mut args = Args::after_slash(&GEOMETRY_TYPE, text, end)?;
+        let of_centre = args.one_of(&[("OUTPUT_ON_CENTER", true), ("OUTPUT_ON_PROFILE", false)])?;
+        return Ok(Record::Machine(MachineRecord::CompensatedPath { of_centre, at: args.all() }));
+    }
     let Some(row) = look_up(&text[start..end]) else { return Ok(Record::Inert) };
     match row.word.name {
         "CUTTER" => {

@@ -40,6 +40,13 @@ pub enum MachineRecord {
         /// Plane of the compensation.
         plane: Option<AxisPlane>,
     },
+    /// `$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER`, `.. / OUTPUT_ON_PROFILE` of Creo.
+    CompensatedPath {
+        /// The points of a path with CUTCOM are those of the centre of the tool; else of the contour.
+        of_centre: bool,
+        /// Place of the word, for messages.
+        at: Span,
+    },
     /// `DELAY/s`, `DELAY/n,REV`.
     Delay {
         /// Duration of the dwell.
@@ -198,6 +205,10 @@ impl Display for MachineRecord {
             }
             Self::Coolant(coolant) => write!(out, "COOLNT/{}", word_of(&COOLANTS, coolant)),
             Self::Compensation { side, register, plane } => write_compensation(*side, *register, *plane, out),
+            Self::CompensatedPath { of_centre, .. } => {
+                let path = if *of_centre { "OUTPUT_ON_CENTER" } else { "OUTPUT_ON_PROFILE" };
+                write!(out, "$$-> CUTCOM_GEOMETRY_TYPE / {path}")
+            }
             Self::Delay { dwell: Dwell::Seconds(value), .. } => write!(out, "DELAY/{}", ClNumber(*value)),
             Self::Delay { dwell: Dwell::Revolutions(value), .. } => write!(out, "DELAY/{},REV", ClNumber(*value)),
             Self::Tolerance { value: Some(value), .. } => write!(out, "LINTOL/{}", ClNumber(*value)),

@@ -260,6 +260,7 @@ fn states() -> BoxedStrategy<Record<'static>> {
         spindle().prop_map(|value| Record::Machine(MachineRecord::Spindle(value))),
         prop::sample::select(coolants).prop_map(|value| Record::Machine(MachineRecord::Coolant(value))),
         compensation(),
+        any::<bool>().prop_map(|of_centre| Record::Machine(MachineRecord::CompensatedPath { of_centre, at: at() })),
         (positive(), any::<bool>()).prop_map(|(value, turns)| Record::Machine(MachineRecord::Delay {
             dwell: if turns { Dwell::Revolutions(value) } else { Dwell::Seconds(value) },
             at: at(),

@@ -155,6 +155,24 @@ impl RecordInterpreter {
         Ok(())
     }
 
+    /// Refuses a path that is not the one of `[compensation] path`.
+    fn check_compensated_path(&self, of_centre: bool, at: Span) -> Result<(), ClFault> {
+        let word = |of_centre| if of_centre { "centre" } else { "contour" };
+        match self.options.compensates_centre {
+            Some(given) if given != of_centre => Err(ClFault::new(
+                "CUTCOM",
+                at,
+                format!(
+                    "the path with CUTCOM is that of the {} by this record, and of the {} by `[compensation] path`",
+                    word(of_centre),
+                    word(given)
+                ),
+                format!("set `[compensation] path = \"{}\"`, or change the output in Creo", word(of_centre)),
+            )),
+            _ => Ok(()),
+        }
+    }
+
     fn describe_last(&mut self, cutter: CutterRecord, here: Location) {
         let taken = self.tool.describe_last(cutter, here, &self.options);
         self.refuse(taken);
@@ -231,6 +249,7 @@ impl RecordInterpreter {
                     Event::Function(MachineFunction::Compensation(Compensation { side, register, in_xy_plane: xy })),
                 );
             }
+            MachineRecord::CompensatedPath { of_centre, at } => self.check_compensated_path(of_centre, at)?,
             MachineRecord::Delay { dwell, at } => self.delay(dwell, at, here),
             MachineRecord::Tolerance { value, at } => self.take_tolerance(value, at, here)?,
             MachineRecord::RotaryDirection(turning) => {
