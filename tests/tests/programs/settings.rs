@@ -67,7 +67,7 @@ const NOT_STATED: &[&str] = &[
     "axis_tolerance_path",
     "course.",
     "links",
-    "operations.",
+    "operations",
     "optional_stops",
     "path_tolerance",
     "rapid",
@@ -153,7 +153,7 @@ const CASES: &[Case] = &[
     },
     Case {
         key: "defaults.peck_gap",
-        config: "defaults.peck_gap = 0.3\ncycles.output = 'expanded'",
+        config: "defaults.peck_gap = 0.3\ncl.dialect = 'iso'\ncycles.output = 'expanded'",
         states: "CUT\nCYCLE/BRKCHP,DEPTH,10,STEP,5,MMPM,100,CLEAR,2,BACK,1.5\nGOTO/0,0,0\nCYCLE/OFF\n",
         then: Holds("Z-3.5"),
     },
@@ -181,7 +181,12 @@ const CASES: &[Case] = &[
     Case { key: "tools", config: "tools.1.speed = 77.0", states: "CUT", then: Holds("S3000") },
     Case { key: "tools", config: "tools.1.direction = 'CCLW'", states: "CUT", then: Holds("M3") },
     Case { key: "tools", config: "tools.1.coolant = 'mist'", states: "COOLNT/FLOOD\nCUT", then: Holds("M8") },
-    Case { key: "cl.cycle.", config: "cl.cycle.DRILL.args = ['clearance']", states: "CYCLES", then: Refused("CLEAR") },
+    Case {
+        key: "cl.cycle.",
+        config: "cl.dialect = 'iso'\ncl.cycle.DRILL.args = ['clearance']",
+        states: "CYCLES",
+        then: Refused("CLEAR"),
+    },
 ];
 
 /// A cut that states everything.
