@@ -114,7 +114,7 @@ const RELATIVE_ROUNDING: f64 = 1e-12;
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Deviation of a block below which a rough bound will do.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Deviation {
     /// Distance of the tip from its line, mm.
     pub tip: f64,

@@ -122,8 +122,6 @@ pub struct Report {
     pub unchecked: Vec<String>,
     /// Tool numbers in ascending order.
     pub tools: Vec<u32>,
-    /// Largest known radius of a tool, mm.
-    pub largest_radius_mm: Option<f64>,
     /// `tolerance`, mm.
     pub tolerance_mm: f64,
 }
@@ -143,7 +141,6 @@ impl Report {
     fn of(machine: &dyn AnyMachine, job: &Job<'_>, survey: &Survey) -> Self {
         let mut report = Self {
             tools: survey.tools.iter().map(|tool| tool.call.number).collect(),
-            largest_radius_mm: survey.tools.iter().filter_map(|tool| tool.radius_mm(job.config)).reduce(f64::max),
             tolerance_mm: job.config.motion.tolerance_mm,
             lines: survey.file.lines,
             stretches: survey.stretches,
@@ -260,13 +257,11 @@ impl Report {
 
     /// How far the surface of a tool is off where its axis is not the programmed one: the tip is held.
     fn surface_text(&self) -> Option<String> {
-        let Statistics { largest_axis_bound_rad: off_circle, largest_lag_rad: lag, .. } = self.statistics;
+        let Statistics { largest_axis_bound_rad: off_circle, largest_lag_rad: lag, surface, .. } = self.statistics;
         let angle = off_circle.max(lag);
         let per_mm = format!("the flank of a tool is off by at most {:.2} µm per mm of its length there", angle * 1e3);
-        let Some(radius) = self.largest_radius_mm.filter(|_| angle > 0.0) else {
-            return (angle > 0.0).then_some(per_mm);
-        };
-        let off = radius * angle;
+        let Some(surface) = surface else { return (angle > 0.0).then_some(per_mm) };
+        let (radius, off) = (surface.radius_mm, surface.off_mm());
         let mut text = format!("{per_mm}, a ball of R{radius} by at most {off:.4} mm");
         if off > self.tolerance_mm {
             let kept = ((self.tolerance_mm / radius).to_degrees() * 1e3).floor() / 1e3;

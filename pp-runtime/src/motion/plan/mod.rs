@@ -55,7 +55,7 @@ pub use clamps::MovingAxes;
 pub(crate) use hole::hole_extent;
 pub use machining_time::{FastestRotation, OperationTime, Times};
 pub use proof::{ProofProgram, Sweep};
-pub use statistics::{ChordedArcs, Statistics};
+pub use statistics::{ChordedArcs, Statistics, Surface};
 pub use threads::{Thread, Threads};
 
 use clearance::ClearanceGeometry;
@@ -190,7 +190,9 @@ impl<'a, S: Sink> Planner<'a, S> {
     /// Statistics so far.
     #[must_use]
     pub fn statistics(&self) -> Statistics {
-        *self.mover.output().statistics()
+        let mut statistics = *self.mover.output().statistics();
+        statistics.end_tool(self.tooling.current().and_then(|tool| tool.radius_mm));
+        statistics
     }
 
     /// Machining times so far.

@@ -234,6 +234,8 @@ impl<S: Sink> Planner<'_, S> {
 
     /// Step 3 without the spindle, with the blocks of the shop.
     fn load_tool(&mut self, tool: LoadedTool, change: bool) -> Planned {
+        let before = self.tooling.current().and_then(|tool| tool.radius_mm);
+        self.mover.output_mut().statistics_mut().end_tool(before);
         self.tooling.load(tool, change);
         self.mover.set_gauge_length(tool.length_mm);
         let given = self.policy.set_up.tools.get(&tool.number);

@@ -41,6 +41,27 @@ pub struct Statistics {
     pub largest_on_spot_rad: f64,
     /// Largest certified angle of the tool axis from the programmed one, where the tip is, in these blocks.
     pub largest_lag_rad: f64,
+    /// Tool whose surface is off by most through these angles; `None` if none is known to be.
+    pub surface: Option<Surface>,
+    /// Largest certified bounds of the tool in the spindle, since it was loaded.
+    of_tool: Deviation,
+}
+
+/// A tool and the largest angle between its axis and the programmed one, where the tip is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Surface {
+    /// Radius of the tool.
+    pub radius_mm: f64,
+    /// The angle.
+    pub angle_rad: f64,
+}
+
+impl Surface {
+    /// How far a ball is off.
+    #[must_use]
+    pub fn off_mm(&self) -> f64 {
+        self.radius_mm * self.angle_rad
+    }
 }
 
 /// Arcs written as chords, by reason.
@@ -59,21 +80,35 @@ pub struct ChordedArcs {
 impl Statistics {
     /// Takes the certified bounds of a block. Without a tolerance of the tool axis this is not held to a path.
     pub(crate) fn certified(&mut self, bound: &MotionBound, tolerance: PathTolerance) {
-        self.largest_tip_bound_mm = larger(bound.tip, self.largest_tip_bound_mm);
+        let of_tool = &mut self.of_tool;
+        of_tool.tip = larger(bound.tip, of_tool.tip);
+        self.largest_tip_bound_mm = larger(of_tool.tip, self.largest_tip_bound_mm);
         if tolerance.axis_rad.is_finite() {
-            self.largest_axis_bound_rad = larger(bound.axis, self.largest_axis_bound_rad);
-            self.largest_lag_rad = larger(bound.lag(tolerance.tip_mm), self.largest_lag_rad);
+            of_tool.axis = larger(bound.axis, of_tool.axis);
+            of_tool.axis_step = larger(bound.lag(tolerance.tip_mm), of_tool.axis_step);
+            self.largest_axis_bound_rad = larger(of_tool.axis, self.largest_axis_bound_rad);
+            self.largest_lag_rad = larger(of_tool.axis_step, self.largest_lag_rad);
         }
     }
 
-    /// Largest certified bounds so far: what is below them changes no statistics.
+    /// Ends the work of a tool: its bounds belong to its radius.
+    pub(crate) fn end_tool(&mut self, radius_mm: Option<f64>) {
+        let Deviation { axis, axis_step, .. } = std::mem::take(&mut self.of_tool);
+        let angle_rad = larger(axis, axis_step);
+        if let Some(radius_mm) = radius_mm.filter(|_| angle_rad > 0.0) {
+            let this = Surface { radius_mm, angle_rad };
+            self.surface = Some(self.surface.filter(|other| other.off_mm() >= this.off_mm()).unwrap_or(this));
+        }
+    }
+
+    /// Largest certified bounds of the tool so far: what is below them changes no statistics.
     #[inline]
     pub(crate) fn largest_deviation(&self, tolerance: PathTolerance) -> Deviation {
         let counted = |largest: f64| if tolerance.axis_rad.is_finite() { largest } else { f64::INFINITY };
         Deviation {
-            tip: self.largest_tip_bound_mm,
-            axis: counted(self.largest_axis_bound_rad),
-            axis_step: counted(self.largest_lag_rad),
+            tip: self.of_tool.tip,
+            axis: counted(self.of_tool.axis),
+            axis_step: counted(self.of_tool.axis_step),
         }
     }
 
