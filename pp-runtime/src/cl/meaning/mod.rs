@@ -31,3 +31,4 @@ pub(crate) use self::interpret::RecordInterpreter;
 pub use self::options::{FeedLabel, Frames, Insert, ReadingOptions, Sense, SetUpBegins};
 pub use self::tool_numbers::ToolArg;
 pub use self::votes::ArcVote;
+pub(crate) use self::votes::Contradictions;

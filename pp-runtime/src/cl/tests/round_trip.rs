@@ -63,8 +63,9 @@ fn numbers(texts: &'static [&'static str]) -> impl Strategy<Value = Numbers<'sta
 
 fn circle() -> impl Strategy<Value = CircleRecord> {
     let form = prop::sample::select(vec![CircleForm::Four, CircleForm::Six, CircleForm::Seven, CircleForm::Eleven]);
-    (triple(), triple(), positive(), form, 1..=1000_u32, prop::option::of(0.001..3e5_f64)).prop_map(
-        |(centre, axis, radius, form, times, angle)| {
+    let sense = prop::sample::select(vec![None, Some(Rotation::Clockwise), Some(Rotation::CounterClockwise)]);
+    (triple(), triple(), positive(), (form, sense), 1..=1000_u32, prop::option::of(0.001..3e5_f64)).prop_map(
+        |(centre, axis, radius, (form, sense), times, angle)| {
             let form = if angle.is_some() { CircleForm::Seven } else { form };
             let radius = (form != CircleForm::Six).then_some(radius);
             let times = if angle.is_some() || form == CircleForm::Four { 1 } else { times };
@@ -75,6 +76,7 @@ fn circle() -> impl Strategy<Value = CircleRecord> {
                 radius,
                 eighth: (form == CircleForm::Eleven).then_some(0.06),
                 form,
+                sense: sense.filter(|_| form == CircleForm::Seven && angle.is_none()),
                 times,
                 angle_deg: angle,
                 at: Span::default(),

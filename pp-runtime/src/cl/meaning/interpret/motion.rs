@@ -331,8 +331,8 @@ impl RecordInterpreter {
         let start = self.path.position("CIRCLE", at)?;
         let mut arc = arc_of(circle, &start, &end, self.path.feed(), at)?;
         let line = self.path.line_before(start.tip);
-        let frame = self.coordinates.workpiece().number();
-        self.votes.add_arc(&arc, circle.axis(), line, frame, here);
+        let group = (self.coordinates.workpiece().number(), circle.is_sense_stated());
+        self.votes.add_arc(&arc, circle.axis(), line, group, here);
         self.take_tip(&mut arc, at)?;
         Ok(arc)
     }
