@@ -329,11 +329,61 @@ pub enum Drilling {
         /// Angle at which the spindle stops, as the control counts it.
         orient_rad: f64,
     },
+    /// THRU of several plates: in at feed through each plate, at rapid through the gaps between them, out at rapid.
+    Through {
+        /// Gaps between the plates, from the top.
+        gaps: Gaps,
+    },
     /// TAP.
     Tap {
         /// Pitch of the thread, mm per revolution, if the CL data states it.
         pitch_mm: Option<f64>,
     },
+}
+
+/// Largest number of gaps in a hole. With more a hole would be larger than an arc, and so would every event be.
+pub const MOST_GAPS: usize = 3;
+
+const _: () = assert!(size_of::<Hole>() <= size_of::<Arc>());
+
+/// A gap between two plates of a hole, by depths below its top.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Gap {
+    /// Depth at which the feed ends: the tip is through the plate above.
+    pub feed_ends_mm: f64,
+    /// Depth to which the tool moves at rapid, and at which the feed begins again: above the plate below, and above 0 where
+    /// negative.
+    pub feed_begins_mm: f64,
+}
+
+/// The gaps between the plates of a hole, from the top.
+///
+/// ```
+/// use pp_runtime::program::{Gap, Gaps};
+///
+/// let gap = Gap { feed_ends_mm: 12.0, feed_begins_mm: 18.0 };
+/// assert_eq!(Gaps::of(&[gap]).unwrap().iter().collect::<Vec<_>>(), [gap]);
+/// assert!(Gaps::of(&[gap; 5]).is_none(), "more than `MOST_GAPS`");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Gaps {
+    gaps: [Gap; MOST_GAPS],
+    count: usize,
+}
+
+impl Gaps {
+    /// These gaps; `None` if they are more than [`MOST_GAPS`].
+    #[must_use]
+    pub fn of(found: &[Gap]) -> Option<Self> {
+        let mut gaps = [Gap::default(); MOST_GAPS];
+        gaps.get_mut(..found.len())?.copy_from_slice(found);
+        Some(Self { gaps, count: found.len() })
+    }
+
+    /// The gaps in their order.
+    pub fn iter(&self) -> impl Iterator<Item = Gap> + '_ {
+        self.gaps.iter().take(self.count).copied()
+    }
 }
 
 /// One hole of a CYCLE. Levels are measured from `top` along the tool axis, positive away from the part.

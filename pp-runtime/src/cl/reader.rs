@@ -5,7 +5,7 @@ use std::io::{self, Read, Seek};
 use super::diagnostics::Faults;
 use super::dialect::Dialect;
 use super::events::{Batch, FileFacts, More, NO_EVENT};
-use super::meaning::{ArcVote, FrameVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame};
+use super::meaning::{ArcVote, Contradictions, FrameVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame};
 use super::record::{
     CIRCLE, CIRCLE_NUMBERS, CatiaMatrix, GOTO, MotionRecord, Record, SubprogramRecord, comment_dialect, joined_goto,
     joined_record, next_circle, next_goto, parse, read_comment, record_dialect,
@@ -599,19 +599,18 @@ impl<R: Read> ClReader<R> {
     /// Reports arcs whose sense, by their form or as given, contradicts the feed lines before and after them.
     fn count_votes(&mut self) {
         let given = self.interpreter.options().circle_sense.is_some();
-        for (location, against, decided) in self.interpreter.votes().contradictions() {
-            let majority = 2 * against > decided;
-            let severity = if majority { Severity::Error } else { Severity::Warning };
+        for Contradictions { first, against, decided, is_sense_wrong } in self.interpreter.votes().contradictions() {
+            let severity = if is_sense_wrong { Severity::Error } else { Severity::Warning };
             let sense = if given { "the sense that `--circle-sense` gives" } else { "the sense of their CIRCLE" };
             let text = format!(
                 "{against} of {decided} arcs with a tangent line before or after them contradict {sense}; this is the first"
             );
-            let help = match (majority, given) {
+            let help = match (is_sense_wrong, given) {
                 (true, true) => "leave out `--circle-sense` and `[cl] circle_sense`, or give the other sense",
                 (true, false) => "if the CAM system uses the other sense, add `--circle-sense cw` or `ccw`",
                 (false, _) => "correct if the path reverses here in a cusp; else check the arc in the CAM system",
             };
-            self.faults.add_about_file(severity, location, text, help);
+            self.faults.add_about_file(severity, first, text, help);
         }
     }
 }

@@ -31,6 +31,11 @@ pub(crate) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+/// Whether the largest component of `a` is positive: it points along an axis of the frame, not against it.
+pub(crate) fn points_up(a: [f64; 3]) -> bool {
+    a.into_iter().fold(0.0_f64, |most, value| if value.abs() > most.abs() { value } else { most }) > 0.0
+}
+
 /// Length of `a`.
 pub(crate) fn length(a: [f64; 3]) -> f64 {
     dot(a, a).sqrt()

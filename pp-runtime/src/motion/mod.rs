@@ -64,7 +64,7 @@ pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, TipStart, Usabl
 pub(crate) use plan::hole_extent;
 pub use plan::{
     Abilities, ChordedArcs, CutterRadius, FastestRotation, MovingAxes, OperationBlocks, OperationTime, Planner,
-    ProofProgram, Registers, Statistics, Sweep, Thread, Threads, Times,
+    ProofProgram, Registers, Statistics, Surface, Sweep, Thread, Threads, Times,
 };
 pub use rotary::Cost;
 pub use source::{

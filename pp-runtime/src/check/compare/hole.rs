@@ -259,15 +259,17 @@ impl CycleComparison<'_> {
 }
 
 /// A hole of the CL data in the terms of a cycle.
-fn expected_kind(hole: &Hole) -> CycleKind {
-    match hole.drilling {
+fn expected_kind(hole: &Hole) -> String {
+    let kind = match hole.drilling {
+        Drilling::Through { .. } => return "single motions through several plates".to_owned(),
         Drilling::Drill => CycleKind::Drill,
         Drilling::Ream => CycleKind::Ream,
         Drilling::Peck { later_mm, .. } => CycleKind::Peck(later_mm),
         Drilling::ChipBreak { step_mm, .. } => CycleKind::ChipBreak(step_mm),
         Drilling::FineBore { .. } => CycleKind::FineBore(FineBore::default()),
         Drilling::Tap { pitch_mm } => CycleKind::Tap(pitch_mm.unwrap_or(0.0)),
-    }
+    };
+    kind.to_string()
 }
 
 /// Feed in mm per revolution.

@@ -60,10 +60,19 @@ pub(crate) fn unfolded(hole: &Hole, here: Option<&Pose>, peck_gap_mm: f64) -> Ve
     let (first, later) = match hole.drilling {
         Drilling::Peck { first_mm, later_mm } => (first_mm, later_mm),
         Drilling::ChipBreak { step_mm, .. } => (step_mm, step_mm),
-        Drilling::Drill | Drilling::Ream | Drilling::FineBore { .. } | Drilling::Tap { .. } => {
-            (hole.depth_mm, hole.depth_mm)
-        }
+        Drilling::Drill
+        | Drilling::Ream
+        | Drilling::FineBore { .. }
+        | Drilling::Through { .. }
+        | Drilling::Tap { .. } => (hole.depth_mm, hole.depth_mm),
     };
+    if let Drilling::Through { gaps } = hole.drilling {
+        // Through each plate at feed, through the gap below it at rapid.
+        steps.extend(
+            gaps.iter()
+                .flat_map(|gap| [motion(level(-gap.feed_ends_mm), false), motion(level(-gap.feed_begins_mm), true)]),
+        );
+    }
     let mut depth = first.min(hole.depth_mm);
     for _ in 0..MOST_HOLE_STEPS {
         if depth > hole.depth_mm - SAME_LEVEL {

@@ -1,7 +1,7 @@
 //! Arcs: a CIRCLE with the GOTO that ends it, and a TLON with the AUTOPS and INDIRV before it.
 //!
 //! CAM systems disagree on the sign of the axis of a CIRCLE. The count of its numbers decides: 6 and 7 mean
-//! counter-clockwise about the axis, 11 mean clockwise. With 4 (*Supported CL Data Commands* of PTC: i, j, k may be absent) the
+//! counter-clockwise about the axis, 11 mean clockwise. After 7 a word may state the sense (CAMWorks). With 4 (*Supported CL Data Commands* of PTC: i, j, k may be absent) the
 //! axis is that of the tool, and the points between the ends or `--circle-sense` decide.
 
 use std::f64::consts::TAU;
@@ -11,10 +11,10 @@ use super::permitted::Permitted;
 use super::transform::Transforms;
 use crate::cl::record::{CircleForm, CircleRecord, TangentArc};
 use crate::cl::text::{ClFault, Span};
-use crate::cl::vector::within_a_kilometre;
+use crate::cl::vector::{points_up, within_a_kilometre};
 use crate::kinematics::{Pose, math};
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
-use crate::program::{Arc, Feed};
+use crate::program::{Arc, Feed, Rotation};
 
 /// Sine of the largest permitted angle between INDIRV and the tangent of its circle.
 const TANGENT: f64 = 1e-2;
@@ -45,6 +45,8 @@ pub(crate) struct WaitingCircle {
     axis: UnitVector3<f64>,
     /// `None`: the record does not state it.
     sense: Option<Sense>,
+    /// A word of the record states it.
+    is_sense_stated: bool,
     radius_mm: Option<f64>,
     /// The start of a helix may be at the level of the centre, not only its end.
     may_begin_at_centre: bool,
@@ -82,11 +84,13 @@ impl WaitingCircle {
             CircleForm::Six | CircleForm::Seven => Some(Sense::CounterClockwise),
             CircleForm::Eleven => Some(Sense::Clockwise),
         };
+        let stated = stated_sense(circle, sense)?;
         let centre = transforms.point(Point3::from(circle.centre.map(|value| value * unit_mm)));
         Ok(WaitingCircle {
             centre: within_a_kilometre(centre, circle.at)?,
             axis: if has_axis { transforms.direction(UnitVector3::new_normalize(axis)) } else { tool_axis },
-            sense: sense.or(of_form),
+            sense: stated.or(sense).or(of_form),
+            is_sense_stated: stated.is_some(),
             radius_mm: circle.radius.map(|radius| radius * unit_mm),
             may_begin_at_centre: camplete || matches!(circle.form, CircleForm::Four | CircleForm::Seven),
             times: circle.times,
@@ -112,6 +116,11 @@ impl WaitingCircle {
         self
     }
 
+    /// Whether a word of the record states the sense.
+    pub(crate) fn is_sense_stated(&self) -> bool {
+        self.is_sense_stated
+    }
+
     /// Whether the sense of the arc is known.
     pub(crate) fn has_sense(&self) -> bool {
         self.sense.is_some()
@@ -125,6 +134,34 @@ impl WaitingCircle {
     pub(crate) fn line(&self) -> u64 {
         self.line
     }
+}
+
+/// Sense that a word of a CIRCLE states. `option`: sense given by an option, which may not be another.
+fn stated_sense(circle: &CircleRecord, option: Option<Sense>) -> Result<Option<Sense>, ClFault> {
+    let sense = match circle.sense {
+        None => return Ok(None),
+        Some(Rotation::Clockwise) => Sense::Clockwise,
+        Some(Rotation::CounterClockwise) => Sense::CounterClockwise,
+    };
+    if option.is_some_and(|option| option != sense) {
+        return Err(ClFault::new(
+            "circle",
+            circle.at,
+            "this CIRCLE states its sense by a word, and `circle_sense` is the other one",
+            "a setting never replaces what the file states: delete `--circle-sense`, `[cl] circle_sense`",
+        ));
+    }
+    // About an axis that points down, it may be meant as seen from the tool.
+    if !points_up(circle.axis) {
+        return Err(ClFault::new(
+            "circle",
+            circle.at,
+            "a word states the sense of this CIRCLE, and its axis points against X, Y or Z: whether it is seen along or against \
+             the axis is not known",
+            "write the opposite axis with the sense that is seen against it: i, j, k = 0, 0, 1 and CCLW is counter-clockwise from above",
+        ));
+    }
+    Ok(Some(sense))
 }
 
 /// Returns the circle and the end point of a TLON. The arc begins at `start` in `direction`; its plane contains the
@@ -162,6 +199,7 @@ pub(crate) fn tangent_circle(
         centre,
         axis,
         sense: Some(Sense::CounterClockwise),
+        is_sense_stated: false,
         radius_mm: Some(radius),
         may_begin_at_centre: false,
         times: 1,

@@ -2,19 +2,22 @@
 //!
 //! The post *Common ISO 4343 APT* of Autodesk writes `CYCLE/DRILL, depth, MMPM, feed, clearance[, RAPTO, r]` and, as GOTO, the
 //! point of `onCyclePoint`, which is the bottom: its other posts write its Z after G81. Clearance is the Z of the plane between
-//! the holes (`cycle.clearance`), and the feed begins r below it (`cycle.clearance - cycle.retract`). *Generative Machining
-//! APT* of HSMWorks writes the same text with the top as point and other levels, so neither is read unless it is given.
+//! the holes (`cycle.clearance`), and the feed begins r below it (`cycle.clearance - cycle.retract`). A section with a tilted
+//! plane is rotated about the origin (`setRotation`), so the coordinate of a plane counts along the tool axis there, too.
+//! *Generative Machining APT* of HSMWorks writes the same text with the top as point and other levels, so neither is read unless
+//! it is given.
 //!
 //! *CAMplete APT* of Autodesk writes `CYCLE/DRILL, FEDTO, depth, MMPM, feed, CLEAR, z, RETURN, r[, RAPTO, p]` and, as GOTO, the
 //! top (`cycle.stock`): r is `clearance - stock`, p `retract - stock`, absent where it is 0, and z the Z of the clearance plane,
-//! which is r above the point.
+//! which is r above the point. Earlier versions write RTRCTO for DRILL only: without a return level the tool returns to the plane, and
+//! without RAPTO the feed begins there.
 
 use crate::cl::dialect::Dialect;
-use crate::cl::record::{ClCycleKind, CycleCall, FeedUnit, Return};
+use crate::cl::record::{ClCycleKind, CycleCall, FeedUnit, Return, word_of};
 use crate::cl::text::{ClFault, Span};
-use crate::kinematics::Pose;
+use crate::kinematics::{Pose, math};
 use crate::nalgebra::Point3;
-use crate::program::{Drilling, Dwell, Feed};
+use crate::program::{Drilling, Dwell, Feed, Gap, Gaps, Units};
 
 /// Meaning of a number of a CYCLE that has no word before it (`[cl.cycle.TAP] args`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -68,19 +71,25 @@ pub(crate) struct HoleDefinition {
     pub(crate) drilling: Drilling,
     pub(crate) feed: Option<Feed>,
     pub(crate) dwell: Option<Dwell>,
-    /// The points are the bottoms of the holes, and the levels are these planes.
-    pub(crate) from_bottom: Option<HolePlanes>,
-    /// Z of the plane that the return level must be, mm (*CAMplete APT*).
-    pub(crate) returns_at_mm: Option<f64>,
+    /// The levels depend on a plane across the tool axis (posts of Autodesk).
+    pub(crate) plane: Option<ClearanceAt>,
 }
 
-/// Planes across Z of a cycle whose points are the bottoms of the holes.
+/// The plane between the holes, by its coordinate along the tool axis, and what the points of its cycle are.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct HolePlanes {
-    /// Z of the plane between the holes, mm.
-    pub(crate) clearance_mm: f64,
-    /// Z of the plane at which the feed begins, mm.
-    pub(crate) feed_begins_mm: f64,
+pub(crate) struct ClearanceAt {
+    plane_mm: f64,
+    points: CyclePoints,
+}
+
+/// What the points of a cycle with a clearance plane are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum CyclePoints {
+    /// The bottoms of the holes; the feed begins so far below the plane (*Common ISO 4343 APT*).
+    Bottoms { feed_begins_below_mm: f64 },
+    /// Their tops; the feed begins so far above them, or at the plane, and the return level, if the record states it, must be
+    /// the plane (*CAMplete APT*).
+    Tops { feed_begins_mm: Option<f64>, return_mm: Option<f64> },
 }
 
 impl HoleDefinition {
@@ -94,35 +103,38 @@ impl HoleDefinition {
     ) -> Result<(Pose, HoleDefinition), ClFault> {
         /// Largest difference of a level from that of the tool, by the digits of CL data.
         const SAME_LEVEL_MM: f64 = 1e-3;
-        if let (Some(plane), ReturnLevel::Level(level)) = (self.returns_at_mm, self.return_level)
-            && (point.tip.z + level - plane).abs() > 2.0 * SAME_LEVEL_MM
-        {
-            return Err(fault(
-                at,
-                format!(
-                    "this point is not the top of its hole: {level} above it is Z {}, and CLEAR is {plane}",
-                    point.tip.z + level
-                ),
-                "does `dialect = \"autodesk\"` hold for this file? In its CAMplete post CLEAR is RETURN above the point",
-            ));
-        }
-        let Some(planes) = self.from_bottom else { return Ok((point, self)) };
-        if point.axis.z < 1.0 - f64::EPSILON {
-            return Err(fault(
-                at,
-                "the levels of this cycle are planes across Z, and the tool is tilted",
-                "their place along a tilted tool is not known; post the holes of this operation as single motions",
-            ));
-        }
-        let top = point.tip + point.axis.into_inner() * self.depth_mm;
-        let (clearance_mm, return_mm) = (planes.feed_begins_mm - top.z, planes.clearance_mm - top.z);
-        if before.is_none_or(|before| before.z < planes.clearance_mm - SAME_LEVEL_MM) {
-            return Err(fault(
-                at,
-                format!("the tool is below the clearance plane of this cycle, Z {}, before it", planes.clearance_mm),
-                "the post of Autodesk moves there first: does `dialect = \"autodesk\"` hold for this file?",
-            ));
-        }
+        let Some(ClearanceAt { plane_mm, points }) = self.plane else { return Ok((point, self)) };
+        let along = |tip: Point3<f64>| tip.coords.dot(&point.axis);
+        let tip = match points {
+            CyclePoints::Bottoms { .. } => point.tip + point.axis.into_inner() * self.depth_mm,
+            CyclePoints::Tops { .. } => point.tip,
+        };
+        let to_plane_mm = plane_mm - along(tip);
+        let (clearance_mm, return_mm) = match points {
+            CyclePoints::Bottoms { .. } if before.is_none_or(|before| along(before) < plane_mm - SAME_LEVEL_MM) => {
+                return Err(fault(
+                    at,
+                    format!(
+                        "the tool is below the clearance plane of this cycle, {plane_mm} along its axis, before it"
+                    ),
+                    "the post of Autodesk moves there first: does `dialect = \"autodesk\"` hold for this file?",
+                ));
+            }
+            CyclePoints::Bottoms { feed_begins_below_mm } => (to_plane_mm - feed_begins_below_mm, to_plane_mm),
+            CyclePoints::Tops { return_mm: Some(level), .. } if (level - to_plane_mm).abs() > 2.0 * SAME_LEVEL_MM => {
+                return Err(fault(
+                    at,
+                    format!(
+                        "this point is not the top of its hole: {level} above it is {} along the tool axis, and CLEAR is {plane_mm}",
+                        along(tip) + level
+                    ),
+                    "does `dialect = \"autodesk\"` hold for this file? In its CAMplete post CLEAR is RETURN above the point",
+                ));
+            }
+            CyclePoints::Tops { feed_begins_mm, return_mm } => {
+                (feed_begins_mm.unwrap_or(to_plane_mm), return_mm.unwrap_or(to_plane_mm))
+            }
+        };
         if clearance_mm < 0.0 || return_mm < clearance_mm {
             return Err(fault(
                 at,
@@ -133,19 +145,17 @@ impl HoleDefinition {
             ));
         }
         let return_level = ReturnLevel::Level(return_mm);
-        Ok((Pose { tip: top, ..point }, HoleDefinition { clearance_mm, return_level, ..self }))
+        Ok((Pose { tip, ..point }, HoleDefinition { clearance_mm, return_level, ..self }))
     }
 }
 
 /// State on which the meaning of a CYCLE depends besides its record.
-pub(crate) struct CycleContext<'a> {
+pub(crate) struct CycleContext {
     pub(crate) dialect: Dialect,
     /// mm in one unit of the file.
     pub(crate) unit_mm: f64,
     /// CYCLE/INIT (true) or CYCLE/CLEAR (false) before the cycle.
     pub(crate) initial: Option<bool>,
-    /// Meaning of the numbers without a word, as configured.
-    pub(crate) args: Option<&'a [CycleArg]>,
     /// Feed of the record.
     pub(crate) feed: Option<Feed>,
 }
@@ -157,93 +167,93 @@ fn fault(at: Span, text: impl Into<String>, help: &str) -> ClFault {
 /// Numbers without a word of *Common ISO 4343 APT*.
 const OF_AUTODESK: [CycleArg; 2] = [CycleArg::Depth, CycleArg::Clearance];
 
-/// Returns the record with the numbers without a word under their configured meaning, and the pitch among them.
-fn named(cycle: &CycleCall, args: Option<&[CycleArg]>, dialect: Dialect) -> Result<(CycleCall, Option<f64>), ClFault> {
+/// Returns the record with the numbers without a word under their configured meaning. They fill what the record does not state.
+pub(crate) fn with_names(cycle: &CycleCall, args: Option<&[CycleArg]>, dialect: Dialect) -> Result<CycleCall, ClFault> {
     let mut cycle = *cycle;
-    let mut pitch = None;
     if cycle.positionals == 0 {
-        return Ok((cycle, pitch));
+        return Ok(cycle);
     }
-    let word = cycle.kind.word();
     let of_autodesk = (dialect == Dialect::Autodesk).then_some(&OF_AUTODESK[..]);
     let Some(args) = args.or(of_autodesk).filter(|args| args.len() == cycle.positionals) else {
-        let text = format!(
-            "CYCLE/{word} has {} numbers without a word, whose meaning depends on a table of the CAM system",
-            cycle.positionals
-        );
-        let example = match cycle.positionals {
-            1 => "\"depth\"",
-            2 => "\"depth\", \"clearance\"",
-            _ => "\"depth\", \"clearance\", ..",
-        };
-        let post = if cycle.positionals == OF_AUTODESK.len() && dialect == Dialect::Generic {
-            "if \"Common ISO 4343 APT\" of Autodesk wrote it, add `--dialect autodesk`; else "
-        } else {
-            ""
-        };
-        let help = format!(
-            "{post}state their meaning, measured from a GOTO at the top of the hole, in the configuration: `[cl.cycle.{word}]`, \
-             `args = [{example}]`, or another order of {names}",
-            names = CycleArg::NAMES.map(|(name, _)| name).join(", ")
-        );
-        return Err(ClFault::new("CYCLE", cycle.at, text, help));
+        return Err(without_words(&cycle, dialect));
     };
     for (arg, value) in args.iter().zip(cycle.positional) {
-        let place = match arg {
-            CycleArg::Depth => &mut cycle.depth,
-            CycleArg::Clearance => &mut cycle.clear,
-            CycleArg::Step => &mut cycle.step,
-            CycleArg::Dwell => &mut cycle.dwell_s,
-            CycleArg::Pitch => &mut pitch,
-            CycleArg::Return => {
-                cycle.back_to = Some(Return::Level(value));
-                continue;
-            }
-            CycleArg::Feed => {
-                cycle.feed = Some((value, FeedUnit::PerMinute));
-                continue;
-            }
+        let stated = match arg {
+            CycleArg::Depth => cycle.fedto.or(cycle.depth.replace(value)).is_some(),
+            CycleArg::Clearance => cycle.clear.replace(value).is_some(),
+            CycleArg::Step => cycle.step.replace(value).is_some(),
+            CycleArg::Dwell => cycle.dwell_rev.or(cycle.dwell_s.replace(value)).is_some(),
+            CycleArg::Pitch => cycle.threads_per_inch.or(cycle.pitch.replace(value)).is_some(),
+            CycleArg::Return => cycle.back_to.replace(Return::Level(value)).is_some(),
+            CycleArg::Feed => cycle.feed.replace((value, FeedUnit::PerMinute)).is_some(),
         };
-        *place = Some(value);
+        if stated {
+            let (word, name) = (cycle.kind.word(), word_of(&CycleArg::NAMES, arg));
+            return Err(ClFault::new(
+                "CYCLE",
+                cycle.at,
+                format!(
+                    "the {name} of this cycle is stated twice: by a word, and by a number without one that `args` names"
+                ),
+                format!(
+                    "a setting never replaces what the file states: delete the word with its number here, or that number and its \
+                     \"{name}\" in `[cl.cycle.{word}]`, `args`"
+                ),
+            ));
+        }
     }
-    Ok((cycle, pitch))
+    Ok(cycle)
 }
 
-/// Returns the record with the numbers without a word under their configured meaning; its feed is read from it.
-pub(crate) fn with_names(cycle: &CycleCall, args: Option<&[CycleArg]>, dialect: Dialect) -> Result<CycleCall, ClFault> {
-    named(cycle, args, dialect).map(|(cycle, _)| cycle)
+/// Numbers without a word whose meaning is not known.
+fn without_words(cycle: &CycleCall, dialect: Dialect) -> ClFault {
+    let word = cycle.kind.word();
+    let text = format!(
+        "CYCLE/{word} has {} numbers without a word, whose meaning depends on a table of the CAM system",
+        cycle.positionals
+    );
+    let example = match cycle.positionals {
+        1 => "\"depth\"",
+        2 => "\"depth\", \"clearance\"",
+        _ => "\"depth\", \"clearance\", ..",
+    };
+    let post = if cycle.positionals == OF_AUTODESK.len() && dialect == Dialect::Generic {
+        "if \"Common ISO 4343 APT\" of Autodesk wrote it, add `--dialect autodesk`; else "
+    } else {
+        ""
+    };
+    let help = format!(
+        "{post}state their meaning, measured from a GOTO at the top of the hole, in the configuration: `[cl.cycle.{word}]`, \
+         `args = [{example}]`, or another order of {names}",
+        names = CycleArg::NAMES.map(|(name, _)| name).join(", ")
+    );
+    ClFault::new("CYCLE", cycle.at, text, help)
 }
 
-/// Returns the hole that a CYCLE defines.
-pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<HoleDefinition, ClFault> {
-    let (cycle, pitch) = named(cycle, context.args, context.dialect)?;
+/// Returns the hole that a CYCLE defines. Its numbers without a word have their names: see [`with_names`].
+pub(crate) fn define(cycle: &CycleCall, context: &CycleContext) -> Result<HoleDefinition, ClFault> {
     let unit_mm = context.unit_mm;
-    let depth = depth(&cycle, context.dialect)? * unit_mm;
-    let camplete = context.dialect == Dialect::Autodesk && cycle.positionals == 0;
-    let from_bottom = match context.dialect {
-        Dialect::Autodesk if !camplete => Some(planes(&cycle, unit_mm)?),
+    let first_depth = depth(cycle, context)?;
+    let plane = match context.dialect {
+        Dialect::Autodesk if cycle.positionals > 0 => Some(plane_above_bottoms(cycle, unit_mm)?),
+        Dialect::Autodesk if cycle.clear.is_some() => Some(plane_above_tops(cycle, unit_mm)?),
         _ => None,
     };
-    let (clearance, back) = match (&cycle, from_bottom) {
-        (_, Some(_)) => (0.0, ReturnLevel::Clearance),
-        (CycleCall { clear: Some(_), back_to: Some(Return::Level(level)), rapto, .. }, None) if camplete => {
-            let clearance = rapto.unwrap_or(0.0);
-            if clearance < 0.0 || *level < clearance {
-                let text = "RAPTO of this cycle lies below the top of the hole or above RETURN";
-                return Err(fault(
-                    cycle.at,
-                    text,
-                    "the tool would plunge into the part at rapid: check RAPTO and RETURN",
-                ));
-            }
-            (clearance * unit_mm, ReturnLevel::Level(level * unit_mm))
-        }
-        (_, None) => {
-            let clearance = clearance(&cycle, context.dialect)? * unit_mm;
-            (clearance, back(&cycle, context, clearance)?)
+    let (clearance, back) = match plane {
+        Some(_) => (0.0, ReturnLevel::Clearance),
+        None => {
+            let clearance = clearance(cycle, context.dialect)? * unit_mm;
+            (clearance, back(cycle, context, clearance)?)
         }
     };
-    let drilling = drilling(&cycle, context.feed, pitch, unit_mm)?;
+    let (depth, gaps) = plates(cycle, first_depth, clearance, context)?;
+    let drilling = drilling(cycle, context.feed, unit_mm)?;
+    // The feed of a thread is its pitch; the feed in force is that of other motions.
+    let feed = match drilling {
+        Drilling::Tap { pitch_mm: Some(pitch_mm) } => context.feed.or(Some(Feed::PerRevolution(pitch_mm))),
+        _ => context.feed,
+    };
+    let drilling = gaps.map_or(drilling, |gaps| Drilling::Through { gaps });
     let dwell = match (cycle.dwell_s, cycle.dwell_rev) {
         (Some(_), Some(_)) => {
             return Err(fault(
@@ -259,16 +269,7 @@ pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<Ho
         (None, Some(turns)) => (turns > 0.0).then_some(Dwell::Revolutions(turns)),
         (None, None) => None,
     };
-    Ok(HoleDefinition {
-        depth_mm: depth,
-        clearance_mm: clearance,
-        return_level: back,
-        drilling,
-        feed: context.feed,
-        dwell,
-        from_bottom,
-        returns_at_mm: cycle.clear.filter(|_| camplete).map(|clear| clear * unit_mm),
-    })
+    Ok(HoleDefinition { depth_mm: depth, clearance_mm: clearance, return_level: back, drilling, feed, dwell, plane })
 }
 
 /// A cycle of which no word and none of its numbers is the clearance level.
@@ -282,8 +283,8 @@ fn without_clearance(cycle: &CycleCall) -> ClFault {
     ClFault::new("CYCLE", cycle.at, "this cycle has no clearance level", help)
 }
 
-/// Planes of a cycle of Autodesk.
-fn planes(cycle: &CycleCall, unit_mm: f64) -> Result<HolePlanes, ClFault> {
+/// Plane of a cycle of *Common ISO 4343 APT*, whose points are the bottoms.
+fn plane_above_bottoms(cycle: &CycleCall, unit_mm: f64) -> Result<ClearanceAt, ClFault> {
     let Some(clear) = cycle.clear else {
         return Err(without_clearance(cycle));
     };
@@ -294,13 +295,69 @@ fn planes(cycle: &CycleCall, unit_mm: f64) -> Result<HolePlanes, ClFault> {
             "does `dialect = \"autodesk\"` hold for this file?",
         ));
     }
-    let below = cycle.rapto.unwrap_or(0.0);
-    Ok(HolePlanes { clearance_mm: clear * unit_mm, feed_begins_mm: (clear - below) * unit_mm })
+    let points = CyclePoints::Bottoms { feed_begins_below_mm: cycle.rapto.unwrap_or(0.0) * unit_mm };
+    Ok(ClearanceAt { plane_mm: clear * unit_mm, points })
+}
+
+/// Plane of a cycle of *CAMplete APT*, whose points are the tops.
+fn plane_above_tops(cycle: &CycleCall, unit_mm: f64) -> Result<ClearanceAt, ClFault> {
+    let Some(clear) = cycle.clear else {
+        return Err(without_clearance(cycle));
+    };
+    let return_mm = match cycle.back_to {
+        Some(Return::Level(level)) => Some(level * unit_mm),
+        Some(Return::Auto) => return Err(auto_of_nx(cycle)),
+        None => None,
+    };
+    // With a return level an absent RAPTO is 0.
+    let feed_begins_mm = cycle.rapto.map(|rapto| rapto * unit_mm).or(return_mm.map(|_| 0.0));
+    if let (Some(begins), Some(level)) = (feed_begins_mm, return_mm)
+        && (begins < 0.0 || level < begins)
+    {
+        let text = "RAPTO of this cycle lies below the top of the hole or above RETURN";
+        return Err(fault(cycle.at, text, "the tool would plunge into the part at rapid: check RAPTO and RETURN"));
+    }
+    Ok(ClearanceAt { plane_mm: clear * unit_mm, points: CyclePoints::Tops { feed_begins_mm, return_mm } })
+}
+
+/// Largest difference of two depths that are the same by their digits.
+const SAME_DEPTH_MM: f64 = 2e-3;
+
+/// Depth of a countersink by its diameter and the angle of its tool, units of the file (*CL Output for Holemaking Cycles* of PTC).
+fn depth_of_cone(cycle: &CycleCall) -> Result<Option<f64>, ClFault> {
+    let (diameter, angle) = match (cycle.diameter, cycle.tool_angle_deg) {
+        (None, None) => return Ok(None),
+        (Some(diameter), Some(angle)) => (diameter, angle),
+        (Some(_), None) | (None, Some(_)) => {
+            return Err(fault(
+                cycle.at,
+                "DIAMET and TLANGL state the depth of a countersink together, and one of them is absent",
+                "program both, or DEPTH alone",
+            ));
+        }
+    };
+    if cycle.kind != ClCycleKind::Csink {
+        return Err(fault(
+            cycle.at,
+            format!("DIAMET and TLANGL state the depth of a countersink, which {} is not", cycle.kind.word()),
+            "write CSINK with DIAMET and TLANGL, or this cycle with DEPTH",
+        ));
+    }
+    if diameter <= 0.0 || angle <= 0.0 || angle >= 180.0 {
+        return Err(fault(
+            cycle.at,
+            "a countersink needs a diameter above 0 and an angle between 0 and 180 degrees",
+            "DIAMET is its diameter at the top of the hole, TLANGL the whole angle of the tool in degrees",
+        ));
+    }
+    let (sine, cosine) = math::sin_cos(0.5 * angle.to_radians());
+    Ok(Some(0.5 * diameter * cosine / sine))
 }
 
 /// Depth below the point of the GOTO, in units of the file, above 0.
-fn depth(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
-    let value = match (cycle.fedto, cycle.depth, dialect) {
+fn depth(cycle: &CycleCall, context: &CycleContext) -> Result<f64, ClFault> {
+    let cone = depth_of_cone(cycle)?;
+    let value = match (cycle.fedto, cycle.depth.or(cone.filter(|_| cycle.fedto.is_none())), context.dialect) {
         (Some(fedto), None, Dialect::Nx) => -fedto,
         (Some(fedto), None, Dialect::SolidWorks | Dialect::Autodesk) => fedto,
         (Some(_), ..) => {
@@ -334,7 +391,60 @@ fn depth(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
             "into the part FEDTO is negative in NX, and every other depth is positive",
         ));
     }
+    if let Some(cone) = cone
+        && (value - cone).abs() * context.unit_mm > SAME_DEPTH_MM
+    {
+        return Err(fault(
+            cycle.depth_at,
+            format!("this depth is {value}, and by DIAMET and TLANGL it is {cone:.4}"),
+            "delete the one that is wrong: DEPTH, or DIAMET and TLANGL",
+        ));
+    }
     Ok(value)
+}
+
+/// Depth of the hole and, where THRU states several depths, the gaps between its plates. The numbers are the bottom of the first
+/// plate, then top and bottom of each further one: feed to the bottom, rapid to CLEAR above the next top (*CL Output for
+/// Holemaking Cycles* of PTC, cycle of *Drill, Web*). `clearance`: the clearance level, mm.
+fn plates(
+    cycle: &CycleCall,
+    first: f64,
+    clearance: f64,
+    context: &CycleContext,
+) -> Result<(f64, Option<Gaps>), ClFault> {
+    let (unit_mm, further) = (context.unit_mm, cycle.further_depths());
+    if further.is_empty() {
+        return Ok((first * unit_mm, None));
+    }
+    if context.dialect != Dialect::Creo {
+        return Err(fault(
+            cycle.depth_at,
+            "several numbers after DEPTH: what they mean is documented for Creo only",
+            "if Creo wrote this file, add `--dialect creo`; else write the motions of this hole as GOTO",
+        ));
+    }
+    if further.len() % 2 != 0 {
+        return Err(fault(
+            cycle.depth_at,
+            format!("THRU with {} depths: a plate is incomplete", further.len() + 1),
+            "write the bottom of the first plate, then top and bottom of each further one: DEPTH,12,20,32",
+        ));
+    }
+    let mut bottom = first;
+    let mut gaps = Vec::with_capacity(further.len() / 2);
+    for plate in further.chunks_exact(2) {
+        if !(bottom < plate[0] && plate[0] < plate[1]) {
+            return Err(fault(
+                cycle.depth_at,
+                "the depths of this THRU do not increase",
+                "write them from the top: bottom of the first plate, then top and bottom of each further one",
+            ));
+        }
+        let feed_begins_mm = plate[0] * unit_mm - clearance;
+        gaps.push(Gap { feed_ends_mm: bottom * unit_mm, feed_begins_mm });
+        bottom = plate[1];
+    }
+    Ok((bottom * unit_mm, Gaps::of(&gaps)))
 }
 
 /// Clearance level, in units of the file: down to it the tool moves at rapid.
@@ -369,7 +479,11 @@ fn clearance(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
     Ok(level)
 }
 
-fn back(cycle: &CycleCall, context: &CycleContext<'_>, clearance: f64) -> Result<ReturnLevel, ClFault> {
+fn auto_of_nx(cycle: &CycleCall) -> ClFault {
+    fault(cycle.at, "RTRCTO,AUTO is supported for NX only", "program RETURN,level")
+}
+
+fn back(cycle: &CycleCall, context: &CycleContext, clearance: f64) -> Result<ReturnLevel, ClFault> {
     let back = match (context.dialect, cycle.back_to) {
         (Dialect::SolidWorks, level) => {
             let Some(initial) = context.initial else {
@@ -387,9 +501,7 @@ fn back(cycle: &CycleCall, context: &CycleContext<'_>, clearance: f64) -> Result
         }
         (_, None) => ReturnLevel::Clearance,
         (Dialect::Nx, Some(Return::Auto)) => ReturnLevel::Initial,
-        (_, Some(Return::Auto)) => {
-            return Err(fault(cycle.at, "RTRCTO,AUTO is supported for NX only", "program RETURN,level"));
-        }
+        (_, Some(Return::Auto)) => return Err(auto_of_nx(cycle)),
         (_, Some(Return::Level(level))) => ReturnLevel::Level(level * context.unit_mm),
     };
     match back {
@@ -402,7 +514,35 @@ fn back(cycle: &CycleCall, context: &CycleContext<'_>, clearance: f64) -> Result
     }
 }
 
-fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit_mm: f64) -> Result<Drilling, ClFault> {
+/// Pitch of a thread, mm per revolution, where the record states it. Two words for it must agree.
+fn pitch(cycle: &CycleCall, feed: Option<Feed>, unit_mm: f64) -> Result<Option<f64>, ClFault> {
+    /// Largest relative difference of two pitches that are the same by their digits.
+    const SAME_PITCH: f64 = 1e-3;
+    let per_inch = match cycle.threads_per_inch {
+        Some(count) if count <= 0.0 => {
+            return Err(fault(cycle.at, "TPI must be above 0", "write the threads per inch: TPI,20"));
+        }
+        // An inch, whatever the unit of the file.
+        count => count.map(|count| Units::Inches.in_mm() / count),
+    };
+    let of_feed = match feed {
+        Some(Feed::PerRevolution(pitch)) => Some(pitch),
+        _ => None,
+    };
+    let stated = [of_feed, cycle.pitch.map(|pitch| pitch * unit_mm), per_inch];
+    let mut stated = stated.into_iter().flatten();
+    let first = stated.next();
+    match first.and_then(|first| stated.find(|other| (other / first - 1.0).abs() > SAME_PITCH)) {
+        None => Ok(first),
+        Some(_) => Err(fault(
+            cycle.at,
+            "this cycle states two pitches",
+            "program one of PITCH, TPI and a feed per revolution (MMPR, IPR)",
+        )),
+    }
+}
+
+fn drilling(cycle: &CycleCall, feed: Option<Feed>, unit_mm: f64) -> Result<Drilling, ClFault> {
     let steps = |step: Option<f64>| match step {
         Some(step) if step > 0.0 => Ok(step * unit_mm),
         Some(_) => Err(fault(cycle.at, "the step of a cycle must be above 0", "program STEP,depth")),
@@ -420,6 +560,13 @@ fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit_mm: 
             cycle.at,
             format!("ORIENT stops the spindle at an angle, which does not belong to {}", cycle.kind.word()),
             "write BORE with ORIENT, or this cycle without it",
+        ));
+    }
+    if cycle.pitch.or(cycle.threads_per_inch).is_some() && cycle.kind != ClCycleKind::Tap {
+        return Err(fault(
+            cycle.at,
+            format!("PITCH and TPI are those of a thread, which {} does not make", cycle.kind.word()),
+            "write TAP with PITCH or TPI, or this cycle without them",
         ));
     }
     let any = cycle.back.or(cycle.first_step).or(cycle.step);
@@ -454,12 +601,6 @@ fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit_mm: 
             let back = if cycle.back.is_some() { Some(steps(cycle.back)?) } else { None };
             Drilling::ChipBreak { step_mm: steps(cycle.step)?, retract_mm: back }
         }
-        ClCycleKind::Tap => {
-            let pitch_mm = match feed {
-                Some(Feed::PerRevolution(feed)) => Some(feed),
-                _ => pitch.map(|pitch| pitch * unit_mm),
-            };
-            Drilling::Tap { pitch_mm }
-        }
+        ClCycleKind::Tap => Drilling::Tap { pitch_mm: pitch(cycle, feed, unit_mm)? },
     })
 }

@@ -22,10 +22,10 @@ use super::units::FileUnits;
 use super::votes::ArcVotes;
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{
-    CircleRecord, CoordinateRecord, MotionRecord, Point, ProgramRecord, Record, SubprogramRecord, Text,
+    CircleRecord, CoordinateRecord, MachineRecord, MotionRecord, Point, ProgramRecord, Record, SubprogramRecord, Text,
 };
 use crate::cl::text::{ClFault, Span};
-use crate::program::{Arc, Event, Feed, Interruption, Location, NewStart, Spline, TextKind};
+use crate::program::{Arc, Event, Feed, Interruption, Location, NewStart, Spindle, Spline, TextKind};
 
 /// CUTCOM/ON and the side that it needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -67,6 +67,8 @@ pub(crate) struct RecordInterpreter {
     /// The CAM system asks for inverse-time feed.
     inverse_time: bool,
     cutcom: CutcomOn,
+    /// Number of motions before the last SPINDL/ON without a speed or sense of rotation.
+    spindle_on_after: Option<u64>,
     /// The next GOTO is a straight motion only: see [`update_plain_goto`](Self::update_plain_goto).
     plain_goto: bool,
     events: EventQueue,
@@ -226,7 +228,10 @@ impl RecordInterpreter {
             Record::Cycle(record) => self.take_cycle(record),
             Record::Coordinates(record) => self.take_coordinates(record, here),
             Record::Tool(record) => self.take_tool(record, here),
-            Record::Machine(record) => self.take_machine(record, here),
+            Record::Machine(record) => {
+                self.note_spindle_on(record);
+                self.take_machine(record, here)
+            }
             Record::Program(record) => self.take_program(record, here),
             // The reader defines and calls subprograms.
             Record::Subprogram(SubprogramRecord::Define(_) | SubprogramRecord::End | SubprogramRecord::Call { .. }) => {
@@ -369,14 +374,39 @@ impl RecordInterpreter {
             ProgramRecord::Message(text) => self.emit_text(here, TextUse::Text(TextKind::Message), text),
             ProgramRecord::Insert(text) => return self.insert(text, here),
             ProgramRecord::Code { letter, number, at } => return self.code(*letter, *number, *at, here),
-            ProgramRecord::OptionalStop => self.emit(here, Event::Interruption(Interruption::OptionalStop)),
-            ProgramRecord::Stop => self.emit(here, Event::Interruption(Interruption::Stop)),
+            ProgramRecord::OptionalStop => self.stop("OPSTOP", Interruption::OptionalStop, here),
+            ProgramRecord::Stop => self.stop("STOP", Interruption::Stop, here),
             ProgramRecord::BlockSkip { on } => {
                 self.emit(here, Event::Interruption(Interruption::BlockSkip { on: *on }))
             }
             ProgramRecord::EndOfPath | ProgramRecord::End | ProgramRecord::Fini | ProgramRecord::Rewind => {}
         }
         Ok(())
+    }
+
+    /// Notes SPINDL/ON.
+    fn note_spindle_on(&mut self, record: &MachineRecord) {
+        if let MachineRecord::Spindle(spindle) = record {
+            let only_on = *spindle == Spindle::On { speed_rev_per_min: None, rotation: None };
+            self.spindle_on_after = only_on.then(|| self.path.motions());
+        }
+    }
+
+    /// STOP, OPSTOP. A spindle that is switched on just before is remarked on: the scripts of Autodesk write SPINDL/ON for the
+    /// command that stops the spindle, and SPINDL/OFF for the one that starts it.
+    fn stop(&mut self, word: &'static str, stop: Interruption<'static>, here: Location) {
+        if self.spindle_on_after.take() == Some(self.path.motions()) {
+            self.events.warn(ClFault::new(
+                "spindle at a stop",
+                Span::WHOLE,
+                format!("SPINDL/ON comes directly before {word}, where a spindle is switched off"),
+                format!(
+                    "the post \"Common ISO 4343 APT\" of Autodesk exchanges the two: write SPINDL/OFF before {word}, and SPINDL/ON \
+                     after it; if the spindle shall be on, write SPINDL/ON after {word} only"
+                ),
+            ));
+        }
+        self.emit(here, Event::Interruption(stop));
     }
 
     fn begin_operation(&mut self) {

@@ -35,3 +35,4 @@ pub use self::options::{FeedLabel, Frames, Insert, ReadingOptions, Sense, SetUpB
 pub use self::tool_numbers::ToolArg;
 pub use self::tool_table::StatedTool;
 pub use self::votes::ArcVote;
+pub(crate) use self::votes::Contradictions;

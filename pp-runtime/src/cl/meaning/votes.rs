@@ -2,8 +2,9 @@
 //!
 //! The sense that follows from the form of a CIRCLE is compared with the feed lines before and after each arc. A line
 //! that is tangent to the arc votes for or against that sense. A majority against it is an error; a minority may be
-//! real cusps, and is a warning.
+//! real cusps, and is a warning. So is any number of votes against a sense that a word states.
 
+use crate::cl::vector::points_up;
 use crate::nalgebra::{UnitVector3, Vector3};
 use crate::program::{Arc, Location};
 
@@ -29,11 +30,12 @@ fn vote(line: Vector3<f64>, arm: Vector3<f64>, normal: &UnitVector3<f64>) -> Opt
     (cosine.abs() >= TANGENTIAL).then_some(cosine > 0.0)
 }
 
-/// Arcs of one frame whose axes have the same sign, and their votes.
+/// Arcs of one frame whose axes have the same sign and whose sense is stated by the form or by a word, and their votes.
 #[derive(Debug, Clone, Copy)]
 struct VoteGroup {
     frame: u32,
     upward: bool,
+    stated: bool,
     agree: u64,
     against: u64,
     first_against: Location,
@@ -50,6 +52,19 @@ pub struct ArcVote {
     pub against: u64,
     /// The sense is given by an option, whatever the form.
     pub given: bool,
+}
+
+/// Arcs of a group whose neighbouring lines contradict the sense.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Contradictions {
+    /// Place of the first.
+    pub(crate) first: Location,
+    /// Number of these arcs.
+    pub(crate) against: u64,
+    /// Number of arcs with a vote.
+    pub(crate) decided: u64,
+    /// They are the majority, and no word states the sense.
+    pub(crate) is_sense_wrong: bool,
 }
 
 /// An arc whose following motion is not read yet.
@@ -72,25 +87,25 @@ pub(crate) struct ArcVotes {
 }
 
 impl ArcVotes {
-    /// Adds an arc; `line`: the feed line before it.
+    /// Adds an arc; `line`: the feed line before it; `stated`: a word states its sense.
     #[inline(always)]
     pub(crate) fn add_arc(
         &mut self,
         arc: &Arc,
         axis: &UnitVector3<f64>,
         line: Option<Vector3<f64>>,
-        frame: u32,
+        (frame, stated): (u32, bool),
         at: Location,
     ) {
         self.conclude_arc(None);
         self.arcs += 1;
-        let largest =
-            axis.iter().copied().fold(0.0_f64, |most, value| if value.abs() > most.abs() { value } else { most });
-        let upward = largest > 0.0;
-        let known = self.groups.iter().position(|group| group.frame == frame && group.upward == upward);
+        let upward = points_up(axis.into_inner().into());
+        let key = (frame, upward, stated);
+        let known = self.groups.iter().position(|group| (group.frame, group.upward, group.stated) == key);
         let group = known.unwrap_or_else(|| {
             if self.groups.len() < MOST_GROUPS {
-                self.groups.push(VoteGroup { frame, upward, agree: 0, against: 0, first_against: Location::default() });
+                let first_against = Location::default();
+                self.groups.push(VoteGroup { frame, upward, stated, agree: 0, against: 0, first_against });
             }
             self.groups.len() - 1
         });
@@ -132,9 +147,16 @@ impl ArcVotes {
         ArcVote { arcs: self.arcs, agree: sum(|group| group.agree), against: sum(|group| group.against), given }
     }
 
-    /// For each group with contradictions: place of the first, number of arcs against, number of arcs with a vote.
-    pub(crate) fn contradictions(&self) -> impl Iterator<Item = (Location, u64, u64)> + '_ {
-        let some = self.groups.iter().filter(|group| group.against > 0);
-        some.map(|group| (group.first_against, group.against, group.agree + group.against))
+    /// Contradictions of each group that has some.
+    pub(crate) fn contradictions(&self) -> impl Iterator<Item = Contradictions> + '_ {
+        self.groups.iter().filter(|group| group.against > 0).map(|group| {
+            let decided = group.agree + group.against;
+            Contradictions {
+                first: group.first_against,
+                against: group.against,
+                decided,
+                is_sense_wrong: 2 * group.against > decided && !group.stated,
+            }
+        })
     }
 }

@@ -2,8 +2,9 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::values::{ClNumber, ClNumbers};
+use super::values::{ClNumber, ClNumbers, word_of};
 use crate::cl::text::{Args, ClFault, Span, number_at_start, quoted, skip_blanks};
+use crate::program::Rotation;
 
 /// Form of a CIRCLE by the count of its numbers. The sense in which the circle is traversed follows from it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -12,7 +13,7 @@ pub enum CircleForm {
     Four,
     /// 6 numbers: centre and axis; counter-clockwise about the axis (SolidWorks CAM).
     Six,
-    /// 7 numbers: a radius after them; counter-clockwise (Creo, ISO 4343).
+    /// 7 numbers: a radius after them; counter-clockwise (Creo, ISO 4343), unless a word after them states the sense.
     Seven,
     /// 11 numbers: radius, tolerances and tool; clockwise about the axis (NX).
     Eleven,
@@ -31,6 +32,8 @@ pub struct CircleRecord {
     pub eighth: Option<f64>,
     /// Form of the record.
     pub form: CircleForm,
+    /// Sense about the axis, if a word states it.
+    pub sense: Option<Rotation>,
     /// TIMES,n: the arc and n - 1 full revolutions.
     pub times: u32,
     /// Angle that the arc must have (MOVARC).
@@ -57,7 +60,7 @@ pub struct TangentArc {
 /// A record that defines an arc or its begin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ArcRecord {
-    /// `CIRCLE/..` with 4, 6, 7 or 11 numbers and `TIMES,n`; `MOVARC/x,y,z,i,j,k,r,ANGLE,degrees`.
+    /// `CIRCLE/..` with 4, 6, 7 or 11 numbers, `CLW` or `CCLW` after 7, and `TIMES,n`; `MOVARC/x,y,z,i,j,k,r,ANGLE,degrees`.
     Circle(CircleRecord),
     /// `AUTOPS`: the plane of the next TLON passes through the current position.
     AutomaticPlane,
@@ -105,6 +108,7 @@ impl CircleRecord {
             radius: (form != CircleForm::Six).then_some(r),
             eighth: (form == CircleForm::Eleven).then_some(eighth),
             form,
+            sense: None,
             times,
             angle_deg: None,
             at,
@@ -112,15 +116,32 @@ impl CircleRecord {
     }
 }
 
-/// CIRCLE: `x,y,z,i,j,k[,r[,t,f,d,e]][,TIMES,n]`, `x,y,z,r`.
+/// Words for the sense of a CIRCLE; of several words for a sense the first is written. The long words are written by
+/// CAMWorks after 7 numbers with 0,0,1 as axis: of 72 arcs the 38 without a cusp at an end are tangent to the lines before and
+/// after them in this sense.
+const SENSES: [(&str, Rotation); 4] = [
+    ("CLW", Rotation::Clockwise),
+    ("CCLW", Rotation::CounterClockwise),
+    ("CLOCKWISE", Rotation::Clockwise),
+    ("COUNTERCLOCKWISE", Rotation::CounterClockwise),
+];
+
+/// CIRCLE: `x,y,z,i,j,k[,r[,CLW|CCLW]][,t,f,d,e][,TIMES,n]`, `x,y,z,r`.
 pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     let at = args.all();
     let mut numbers = [0.0; CIRCLE_NUMBERS_HELD];
     let mut found = args.plain_numbers(&mut numbers);
-    let mut times = 1;
+    let (mut times, mut sense) = (1, None);
     while let Some(arg) = args.next()? {
+        if let Some(stated) = arg.among(&SENSES) {
+            if found != 7 || sense.is_some() {
+                return Err(args.not_understood(arg));
+            }
+            sense = Some(stated);
+            continue;
+        }
         if arg.is("TIMES") {
-            let count = args.needed()?;
+            let count = args.number_after(arg)?;
             times = count.integer()?;
             if !(1..=MOST_REVOLUTIONS).contains(&times) {
                 let text = format!("TIMES must be 1 to {MOST_REVOLUTIONS}, found {times}");
@@ -134,7 +155,8 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
         }
         found += 1;
     }
-    CircleRecord::of(&numbers, found, times, at).map(ArcRecord::Circle).ok_or_else(|| {
+    let circle = CircleRecord::of(&numbers, found, times, at);
+    circle.map(|circle| ArcRecord::Circle(CircleRecord { sense, ..circle })).ok_or_else(|| {
         ClFault::new(
             "circle",
             at,
@@ -158,7 +180,7 @@ pub(crate) fn move_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     if !word.is("ANGLE") {
         return Err(args.not_understood(word));
     }
-    let angle = args.needed()?;
+    let angle = args.number_after(word)?;
     let degrees = angle.number()?;
     if !(degrees > 0.0 && degrees <= 360.0 * f64::from(MOST_REVOLUTIONS)) {
         return Err(ClFault::new(
@@ -175,6 +197,7 @@ pub(crate) fn move_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
         radius: Some(r),
         eighth: None,
         form: CircleForm::Seven,
+        sense: None,
         times: 1,
         angle_deg: Some(degrees),
         at,
@@ -278,7 +301,10 @@ impl Display for CircleRecord {
         write!(out, "CIRCLE/{},{}", ClNumbers(&self.centre), ClNumbers(&self.axis))?;
         match self.form {
             CircleForm::Four | CircleForm::Six => {}
-            CircleForm::Seven => write!(out, ",{}", ClNumber(radius))?,
+            CircleForm::Seven => {
+                write!(out, ",{}", ClNumber(radius))?;
+                self.sense.map_or(Ok(()), |sense| write!(out, ",{}", word_of(&SENSES, &sense)))?;
+            }
             // The tool has no effect on the path.
             CircleForm::Eleven => {
                 write!(out, ",{},{},0.5,0.,0.", ClNumber(radius), ClNumber(self.eighth.unwrap_or_default()))?;

@@ -5,6 +5,7 @@ use std::fmt::{self, Display, Formatter};
 use super::feed::FeedUnit;
 use super::values::{ClNumber, word_of};
 use crate::cl::text::{Arg, Args, ClFault, Span, quoted};
+use crate::program::MOST_GAPS;
 
 /// Kind of CYCLE: the word after `CYCLE/`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,7 +28,7 @@ pub enum ClCycleKind {
     Back,
     /// REAM.
     Ream,
-    /// TAP.
+    /// TAP, and RIGID of *CAMplete APT*, whose PITCH is that of the thread.
     Tap,
     /// CBORE.
     Cbore,
@@ -35,7 +36,7 @@ pub enum ClCycleKind {
 
 impl ClCycleKind {
     /// Words and kinds; of several words of a kind the first is written.
-    pub const WORDS: [(&'static str, ClCycleKind); 12] = [
+    pub const WORDS: [(&'static str, ClCycleKind); 13] = [
         ("DRILL", ClCycleKind::Drill),
         ("FACE", ClCycleKind::Face),
         ("CSINK", ClCycleKind::Csink),
@@ -47,6 +48,7 @@ impl ClCycleKind {
         ("BACK", ClCycleKind::Back),
         ("REAM", ClCycleKind::Ream),
         ("TAP", ClCycleKind::Tap),
+        ("RIGID", ClCycleKind::Tap),
         ("CBORE", ClCycleKind::Cbore),
     ];
 
@@ -69,6 +71,9 @@ pub enum Return {
 /// Largest number of numbers without a word in a CYCLE.
 pub const MOST_POSITIONAL: usize = 6;
 
+/// Largest number of depths after the first of THRU: two for each plate after the first.
+pub const MOST_FURTHER_DEPTHS: usize = 2 * MOST_GAPS;
+
 /// The words of a CYCLE as written, lengths in units of the file; their meaning depends on the CAM system.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CycleCall {
@@ -78,6 +83,14 @@ pub struct CycleCall {
     pub fedto: Option<f64>,
     /// DEPTH: depth, positive into the part.
     pub depth: Option<f64>,
+    /// Numbers directly after that of DEPTH in THRU: top and bottom of each further plate.
+    pub further_depths: [f64; MOST_FURTHER_DEPTHS],
+    /// Count of these numbers.
+    pub further_depth_count: usize,
+    /// DIAMET: diameter of a countersink at the top of the hole.
+    pub diameter: Option<f64>,
+    /// TLANGL: included angle of the tool that makes it, degrees.
+    pub tool_angle_deg: Option<f64>,
     /// Feed with its unit.
     pub feed: Option<(f64, FeedUnit)>,
     /// RAPTO: clearance level.
@@ -98,6 +111,10 @@ pub struct CycleCall {
     pub back: Option<f64>,
     /// ORIENT,a: angle at which the spindle stops.
     pub orient_deg: Option<f64>,
+    /// PITCH: pitch of a thread, units of the file per revolution.
+    pub pitch: Option<f64>,
+    /// TPI: threads per inch.
+    pub threads_per_inch: Option<f64>,
     /// Numbers without a word, in order.
     pub positional: [f64; MOST_POSITIONAL],
     /// Count of the numbers without a word.
@@ -116,6 +133,10 @@ impl CycleCall {
             kind,
             fedto: None,
             depth: None,
+            further_depths: [0.0; MOST_FURTHER_DEPTHS],
+            further_depth_count: 0,
+            diameter: None,
+            tool_angle_deg: None,
             feed: None,
             rapto: None,
             clear: None,
@@ -126,6 +147,8 @@ impl CycleCall {
             dwell_rev: None,
             back: None,
             orient_deg: None,
+            pitch: None,
+            threads_per_inch: None,
             positional: [0.0; MOST_POSITIONAL],
             positionals: 0,
             at,
@@ -203,8 +226,9 @@ pub(crate) fn cycle(args: &mut Args<'_>) -> Result<CycleRecord, ClFault> {
 /// Field of a cycle that holds the number after a word.
 type NumberOf = fn(&mut CycleCall) -> &mut Option<f64>;
 
-/// Words that are followed by one number.
-const NUMBER_AFTER: [(&str, NumberOf); 9] = [
+/// Words that are followed by one number. PITCH: script of *CAMplete APT*; TPI, DIAMET, TLANGL: *CL Output for Holemaking
+/// Cycles* of PTC.
+const NUMBER_AFTER: [(&str, NumberOf); 13] = [
     ("1STPECK", |cycle| &mut cycle.first_step),
     ("RAPTO", |cycle| &mut cycle.rapto),
     ("CLEAR", |cycle| &mut cycle.clear),
@@ -214,9 +238,18 @@ const NUMBER_AFTER: [(&str, NumberOf); 9] = [
     ("REV", |cycle| &mut cycle.dwell_rev),
     ("BACK", |cycle| &mut cycle.back),
     ("ORIENT", |cycle| &mut cycle.orient_deg),
+    ("PITCH", |cycle| &mut cycle.pitch),
+    ("TPI", |cycle| &mut cycle.threads_per_inch),
+    ("DIAMET", |cycle| &mut cycle.diameter),
+    ("TLANGL", |cycle| &mut cycle.tool_angle_deg),
 ];
 
 impl CycleCall {
+    /// Depths after the first, in order.
+    pub(crate) fn further_depths(&self) -> &[f64] {
+        &self.further_depths[..self.further_depth_count.min(MOST_FURTHER_DEPTHS)]
+    }
+
     /// This cycle with the words of `change` in place of its own.
     pub(crate) fn changed_by(&self, change: &CycleCall) -> CycleCall {
         let depth_is_changed = change.fedto.is_some() || change.depth.is_some();
@@ -224,6 +257,10 @@ impl CycleCall {
             kind: self.kind,
             fedto: if depth_is_changed { change.fedto } else { self.fedto },
             depth: if depth_is_changed { change.depth } else { self.depth },
+            further_depths: self.further_depths,
+            further_depth_count: if depth_is_changed { 0 } else { self.further_depth_count },
+            diameter: change.diameter.or(self.diameter),
+            tool_angle_deg: change.tool_angle_deg.or(self.tool_angle_deg),
             feed: change.feed.or(self.feed),
             rapto: change.rapto.or(self.rapto),
             clear: change.clear.or(self.clear),
@@ -234,6 +271,8 @@ impl CycleCall {
             dwell_rev: change.dwell_rev.or(self.dwell_rev.filter(|_| change.dwell_s.is_none())),
             back: change.back.or(self.back),
             orient_deg: change.orient_deg.or(self.orient_deg),
+            pitch: change.pitch.or(self.pitch.filter(|_| change.threads_per_inch.is_none())),
+            threads_per_inch: change.threads_per_inch.or(self.threads_per_inch.filter(|_| change.pitch.is_none())),
             positional: self.positional,
             positionals: self.positionals,
             at: change.at,
@@ -250,7 +289,7 @@ impl CycleCall {
             return self.take_number(arg, args);
         }
         if let Some(unit) = arg.among(&FeedUnit::WORDS) {
-            let value = args.needed()?.number()?;
+            let value = args.number_after(arg)?.number()?;
             return once(self.feed.replace((value, unit)).is_none(), arg);
         }
         if arg.is("FEDTO") || arg.is("DEPTH") {
@@ -280,17 +319,34 @@ impl CycleCall {
     }
 
     fn take_depth(&mut self, word: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
-        let depth = args.needed()?;
+        let depth = args.number_after(word)?;
         once(self.fedto.is_none() && self.depth.is_none(), word)?;
         let place = if word.is("FEDTO") { &mut self.fedto } else { &mut self.depth };
         *place = Some(depth.number()?);
         self.depth_at = depth.at;
+        if self.kind == ClCycleKind::Thru && word.is("DEPTH") { self.take_further_depths(args) } else { Ok(()) }
+    }
+
+    /// Numbers directly after that of DEPTH in THRU.
+    fn take_further_depths(&mut self, args: &mut Args<'_>) -> Result<(), ClFault> {
+        let mut ahead = args.clone();
+        while let Some(arg) = ahead.next()?.filter(|arg| arg.looks_numeric()) {
+            *args = ahead.clone();
+            let value = arg.number()?;
+            let Some(place) = self.further_depths.get_mut(self.further_depth_count) else {
+                let text = format!("THRU with more than {} plates", MOST_GAPS + 1);
+                return Err(ClFault::new("CYCLE", arg.at, text, "drill this hole in two cycles"));
+            };
+            *place = value;
+            self.further_depth_count += 1;
+            self.depth_at.end = arg.at.end;
+        }
         Ok(())
     }
 
     fn take_return(&mut self, word: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
-        let level = args.needed()?;
-        let level = if level.is("AUTO") { Return::Auto } else { Return::Level(level.number()?) };
+        let auto = follows(args, "AUTO")?;
+        let level = if auto { Return::Auto } else { Return::Level(args.number_after(word)?.number()?) };
         // *CAMplete APT* writes RTRCTO and RETURN, with one level.
         let again = self.back_to == Some(level);
         once(self.back_to.replace(level).is_none() || again, word)?;
@@ -311,7 +367,7 @@ fn follows(args: &mut Args<'_>, word: &str) -> Result<bool, ClFault> {
 
 /// Reads the number after a word into its field.
 fn put(place: &mut Option<f64>, word: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
-    let value = args.needed()?.number()?;
+    let value = args.number_after(word)?.number()?;
     once(place.replace(value).is_none(), word)
 }
 
@@ -339,7 +395,10 @@ impl CycleCall {
         }
         for (word, value) in [
             ("FEDTO", self.fedto),
-            ("DEPTH", self.depth),
+            ("PITCH", self.pitch),
+            ("TPI", self.threads_per_inch),
+            ("DIAMET", self.diameter),
+            ("TLANGL", self.tool_angle_deg),
             ("STEP", self.step),
             ("1STPECK", self.first_step),
             ("RAPTO", self.rapto),
@@ -351,6 +410,12 @@ impl CycleCall {
         ] {
             if let Some(value) = value {
                 write!(out, ",{word},{}", ClNumber(value))?;
+            }
+        }
+        if let Some(depth) = self.depth {
+            write!(out, ",DEPTH,{}", ClNumber(depth))?;
+            for depth in self.further_depths() {
+                write!(out, ",{}", ClNumber(*depth))?;
             }
         }
         match self.back_to {

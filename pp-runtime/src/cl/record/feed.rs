@@ -62,11 +62,10 @@ pub struct FeedRecord {
 impl FeedRecord {
     /// Reads `n[,unit]` or `unit,n`, of which the argument `first` is taken already.
     pub(crate) fn parse(first: Arg<'_>, args: &mut Args<'_>) -> Result<FeedRecord, ClFault> {
-        let second = args.next()?;
         let (number, word) = if first.looks_numeric() {
-            (first, second)
+            (first, args.next()?)
         } else if first.among(&FeedUnit::WORDS).is_some() {
-            (second.ok_or_else(|| args.wrong_count("a number", 0))?, Some(first))
+            (args.number_after(first)?, Some(first))
         } else {
             return Err(args.not_understood(first));
         };

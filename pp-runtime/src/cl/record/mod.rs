@@ -35,7 +35,7 @@ mod words;
 
 pub use self::arc::{ArcRecord, CircleForm, CircleRecord, TangentArc};
 pub use self::coordinates::{CoordinateRecord, FrameRecord};
-pub use self::cycle::{ClCycleKind, CycleCall, CycleRecord, CycleState, MOST_POSITIONAL, Return};
+pub use self::cycle::{ClCycleKind, CycleCall, CycleRecord, CycleState, MOST_FURTHER_DEPTHS, MOST_POSITIONAL, Return};
 pub use self::feed::{FeedRecord, FeedUnit};
 pub use self::machine::MachineRecord;
 pub use self::motion::MotionRecord;
@@ -52,6 +52,7 @@ pub(crate) use self::arc::CIRCLE_NUMBERS;
 pub(crate) use self::comment::{CatiaMatrix, comment_dialect, read_comment};
 pub(crate) use self::own::GivenMeanings;
 pub(crate) use self::parse::{if_harmless, joined_goto, joined_record, next_circle, next_goto, parse, record_dialect};
+pub(crate) use self::values::word_of;
 pub(crate) use self::words::{CIRCLE, GOTO, nearest_word};
 
 use std::fmt::{self, Display, Formatter};

@@ -117,15 +117,15 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
         if arg.looks_numeric() {
             tool.take_number(arg, args)?;
         } else if arg.is("IN") {
-            tool.magazine = Some(args.needed()?.integer()?);
+            tool.magazine = Some(args.number_after(arg)?.integer()?);
         } else if arg.is("SPINDL") {
-            args.needed()?.number()?;
+            args.number_after(arg)?.number()?;
         } else if arg.is("TURN") {
             return Err(ClFault::lathe_record(arg.at));
         } else if arg.is("MILL") {
             // A milling tool.
         } else if arg.is("LENGTH") {
-            let value = args.needed()?;
+            let value = args.number_after(arg)?;
             let length = value.number()?;
             if length <= 0.0 {
                 return Err(ClFault::new(
@@ -137,7 +137,7 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
             }
             tool.length = Some(length);
         } else if arg.is("OSETNO") || arg.is("ADJUST") {
-            let value = args.needed()?;
+            let value = args.number_after(arg)?;
             let offset = value.integer()?;
             if offset == 0 || tool.offset.is_some_and(|other| other != offset) {
                 return Err(ClFault::new(

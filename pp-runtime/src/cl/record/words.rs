@@ -71,8 +71,10 @@ const TOLERANCE: &str = "it sets a tolerance of another postprocessor";
 pub(crate) const GOTO: MajorWord = MajorWord { name: "GOTO", forms: "/x,y,z[,i,j,k]; /x,y,z / x,y,z .." };
 
 /// CIRCLE, which is read without a search, too, where it is on one line.
-pub(crate) const CIRCLE: MajorWord =
-    MajorWord { name: "CIRCLE", forms: "/x,y,z,i,j,k[,r[,t,f,d,e][,TIMES,n]]; /x,y,z,r and the GOTO that ends it" };
+pub(crate) const CIRCLE: MajorWord = MajorWord {
+    name: "CIRCLE",
+    forms: "/x,y,z,i,j,k[,r[,CLW|CCLW|,t,f,d,e][,TIMES,n]]; /x,y,z,r and the GOTO that ends it",
+};
 
 /// The table, sorted by name, in capitals. The third column lists the forms that are read.
 #[rustfmt::skip] // One row in one line.
@@ -86,7 +88,8 @@ static TABLE: &[Row] = &[
     row("CALSUB", Read(|args| subprogram::call(args).map(Subprogram)), "/name"),
     row("CAMERA", Hazard(FRAME), ""),
     row("CHECK", Inert, ""),
-    // x,y,z,r: *Supported CL Data Commands*; 6 numbers: files of SolidWorks CAM; 11: help of NX, script of *CAMplete APT*.
+    // x,y,z,r: *Supported CL Data Commands*; 6 numbers: files of SolidWorks CAM; 11: help of NX, script of *CAMplete APT*. Words
+    // of the sense: `arc`.
     Row { word: CIRCLE, handling: Read(|args| arc::circle(args).map(Arc)) },
     row("CLAMP", Automatic(CLAMPS), ""),
     row("CLEARP", Read(|args| coordinates::clearance_plane(args).map(Coordinates)), "/XYPLAN|YZPLAN|ZXPLAN,d; /a,b,c,d"),
@@ -102,7 +105,7 @@ static TABLE: &[Row] = &[
     row("CUTCOM", Read(|args| machine::compensation(args).map(Machine)), "/[ON,]LEFT|RIGHT[,n][,XYPLAN]; /ON before or after them; /OFF"),
     row("CUTTER", Read(|args| tool::cutter(args).map(|cutter| Tool(ToolRecord::Cutter(cutter)))), "/d[,r[,e,f,a,b,h]]"),
     // ON with words: files of NX. Levels: `meaning/holes`.
-    row("CYCLE", Read(|args| cycle::cycle(args).map(Cycle)), "/DRILL|FACE|CSINK|THRU|DEEP|BRKCHP|BORE|REAM|TAP|..; /OFF; /ON[,words to change]"),
+    row("CYCLE", Read(|args| cycle::cycle(args).map(Cycle)), "/DRILL|FACE|CSINK|THRU|DEEP|BRKCHP|BORE|REAM|TAP|RIGID|..; /OFF; /ON[,words to change]"),
     row("DEFSUB", Read(|args| subprogram::define(args).map(Subprogram)), "/name, up to ENDSUB"),
     row("DELAY", Read(|args| machine::delay(args).map(Machine)), "/seconds; /n,REV"),
     row("DISPLAY", Inert, ""),
@@ -142,9 +145,14 @@ static TABLE: &[Row] = &[
     row("MODSYS", Hazard(FRAME), ""),
     // ANGLE, and a helix with its centre at the start: script of *Common ISO 4343 APT*.
     row("MOVARC", Read(|args| arc::move_arc(args).map(Arc)), "/x,y,z,i,j,k,r,ANGLE,degrees and the GOTO that ends it"),
+    // In files whose writer is not known; no manual has it.
+    row("MOVE_ATTRIB", Refused(OWN_MEANING), ""),
     row("MSYS", Read(|args| coordinates::machine_system(args).map(Coordinates)), "/x,y,z,i1,j1,k1,i2,j2,k2"),
     row("MULTAX", Read(|args| coordinates::multi_axis(args).map(Coordinates)), "[/ON|OFF]"),
     row("NURBS", Read(|_| Ok(Nurbs(NurbsRecord::Begin))), "/ and KNOT and CNTRL after it"),
+    // Name of operation and feature around the records of each operation of CAMWorks, the same twice (8 of 8).
+    row("OPFEATEND", Inert, ""),
+    row("OPFEATSTART", Inert, ""),
     row("OPSKIP", Read(|args| program::block_skip(args).map(Program)), "/ON|OFF; the blocks between begin with the mark of block skip"),
     row("OPSTOP", Read(|_| Ok(Program(ProgramRecord::OptionalStop))), ""),
     row("ORIGIN", Read(|args| coordinates::origin(args).map(Coordinates)), "/x,y,z; /NOMORE; /0"),
@@ -361,7 +369,9 @@ mod tests {
         for word in ["GOTO", "LOOP", "SYN", "COPY", "TURRET", "CAMERA", "DNTCUT", "SCALE", "MCS", "", "A/B"] {
             assert!(not_inert(word).is_some(), "{word}");
         }
-        for word in ["AICC", "FIXOFTCO", "BREAK", "PAINT", "TOOLNO", "tldata", "CLAMP", "unclamp"] {
+        for word in
+            ["AICC", "FIXOFTCO", "BREAK", "MOVE_ATTRIB", "OPFEATSTART", "PAINT", "TOOLNO", "tldata", "CLAMP", "unclamp"]
+        {
             assert_eq!(not_inert(word), None, "{word}");
         }
     }

@@ -83,6 +83,51 @@ fn the_sense_of_a_circle_follows_from_the_count_of_its_numbers() {
 }
 
 #[test]
+fn a_word_after_seven_numbers_states_the_sense_of_a_circle() {
+    let arc =
+        |circle: &str| events_without_places(&format!("GOTO/1,0,0\nCIRCLE/{circle}\nGOTO/0,1,0\n"), MM)[1].clone();
+    for (word, angle) in [("COUNTERCLOCKWISE", 90), ("CCLW", 90), ("CLOCKWISE ", 270), ("clw", 270)] {
+        assert!(arc(&format!("0,0,0,0,0,1,1,{word}")).ends_with(&format!("through {angle}.000")), "{word}");
+    }
+    assert!(arc("0,0,0,0,0,1,1,CLW,TIMES,2").ends_with("through 630.000"));
+    for circle in ["0,0,0,0,0,1,CLW", "0,0,0,1,CLW", "0,0,0,0,0,1,1,.06,.5,10,1,CLW", "0,0,0,0,0,1,1,CLW,CLW"] {
+        let found = errors(&format!("GOTO/1,0,0\nCIRCLE/{circle}\nGOTO/0,1,0\n"));
+        assert!(found[0].contains("CIRCLE with `CLW` is not supported"), "{circle}: {found:?}");
+    }
+    // About an axis that points down it may be meant from above; and its ends must be on its circle.
+    let down = errors("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,-1,1,CLW\nGOTO/0,1,0\n");
+    assert!(down[0].contains("whether it is seen along or against the axis is not known"), "{down:?}");
+    let off = errors("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1.01,CLW\nGOTO/0,1,0\n");
+    assert!(off[0].contains("0.0100 mm off its radius"), "{off:?}");
+    // No option replaces what is stated.
+    let with = |sense: Sense| {
+        let options = ReadingOptions { circle_sense: Some(sense), ..mm() };
+        errors_with("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1,CLW\nGOTO/0,1,0\n", options)
+    };
+    assert_eq!(with(Sense::Clockwise), [""; 0]);
+    assert!(with(Sense::CounterClockwise)[0].contains("states its sense by a word"));
+}
+
+#[test]
+fn cusps_at_arcs_whose_sense_is_stated_are_remarked_on() {
+    // Around the rest of a corner: up to the arc, which begins and ends in a cusp, as CAMWorks writes it.
+    let text = |word: &str| {
+        format!(
+            "GOTO/.75,-.5,0\nGOTO/.75,0,0\nCIRCLE/0,0,0,0,0,1,.75{word}\nGOTO/0,-.75,0\nGOTO/.5,-.75,0\n\
+             CIRCLE/.5,-.5,0,0,0,1,.25{word}\nGOTO/.75,-.5,0\n"
+        )
+    };
+    let severities = |text: &str| -> Vec<Severity> {
+        read_from(text.as_bytes(), MM).diagnostics.iter().map(|found| found.severity).collect()
+    };
+    assert_eq!(
+        severities(&text(",CLOCKWISE").replacen("-.5,0,0,0,1,.25,CLOCKWISE", "-.5,0,0,0,1,.25,CCLW", 1)),
+        [Severity::Warning]
+    );
+    assert_eq!(severities(&text("")), [], "the first arc is tangent the long way round");
+}
+
+#[test]
 fn a_full_circle_and_several_turns_and_a_helix_are_arcs() {
     let full = events_without_places("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/1,0,0\n", MM);
     assert!(full[1].ends_with("through 360.000"), "{full:?}");

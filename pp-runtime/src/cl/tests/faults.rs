@@ -52,6 +52,26 @@ fn what_is_no_number_is_shown() {
 }
 
 #[test]
+fn a_word_without_its_number_is_named() {
+    for (text, expected) in [
+        ("CYCLE/DRILL,DEPTH,MMPM,200,CLEAR,2", "1:13+5 `DEPTH` has no number after it, `MMPM` follows"),
+        ("CYCLE/DRILL,FEDTO,-3,RAPTO", "1:22+5 `RAPTO` has no number after it"),
+        ("CYCLE/DRILL,FEDTO,-3,RAPTO,1,RTRCTO,MMPM", "1:30+6 `RTRCTO` has no number after it, `MMPM` follows"),
+        ("CYCLE/DRILL,FEDTO,-3,RAPTO,1,IPM", "1:30+3 `IPM` has no number after it"),
+        ("CYCLE/DRILL,FEDTO,-3,RAPTO,1,DWELL,REV,MMPM,9", "1:30+5 `DWELL` has no number after it, `MMPM` follows"),
+        ("LOADTL/1,LENGTH,OSETNO,2", "1:10+6 `LENGTH` has no number after it, `OSETNO` follows"),
+        ("LOADTL/1,ADJUST", "1:10+6 `ADJUST` has no number after it"),
+        ("FEDRAT/IPM,CLW", "1:8+3 `IPM` has no number after it, `CLW` follows"),
+        ("CIRCLE/0,0,0,0,0,1,1,TIMES", "1:22+5 `TIMES` has no number after it"),
+    ] {
+        let found = errors(&format!("{text}\nGOTO/0,0,0\n"));
+        assert_eq!(found[0], expected, "{text}");
+    }
+    // A number that is none is still shown.
+    assert!(errors("CYCLE/DRILL,FEDTO,-3x,RAPTO,1\n")[0].contains("`-3x` is not a number"));
+}
+
+#[test]
 fn no_point_that_a_record_leads_to_is_a_kilometre_away() {
     let far = "a coordinate is more than a kilometre from the origin";
     for (text, at) in [
@@ -224,7 +244,7 @@ fn tool_records_state_what_their_numbers_mean() {
 fn implausible_feeds_are_refused() {
     refused("FEDRAT/0.0394,MMPM\nGOTO/0,0,0\n", "1:8+6 a feed of 0.0394 mm/min is not plausible");
     refused("FEDRAT/0,MMPM\nGOTO/0,0,0\n", "1:8+1 the feed must be above 0, found 0");
-    refused("FEDRAT/MMPM\nGOTO/0,0,0\n", "1:8+4 FEDRAT needs a number, found 0");
+    refused("FEDRAT/MMPM\nGOTO/0,0,0\n", "1:8+4 `MMPM` has no number after it");
     refused("FEDRAT/100,SMM\nGOTO/0,0,0\n", "1:12+3 FEDRAT with `SMM` is not supported");
     assert_eq!(events("FEDRAT/0.05,MMPR\nGOTO/0,0,0\n").len(), 1);
 }

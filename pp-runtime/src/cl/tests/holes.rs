@@ -248,7 +248,7 @@ fn holes_of_autodesk_are_given_by_their_bottom_and_by_planes_across_z() {
     assert_eq!(found[1], "hole 1 2 10 deep 12 from 0 to 15 Drill Some(PerMinute(200.0)) None");
     fault(
         camplete.replace("1,2,10", "1,2,-2"),
-        "this point is not the top of its hole: 15 above it is Z 13, and CLEAR is 25",
+        "this point is not the top of its hole: 15 above it is 13 along the tool axis, and CLEAR is 25",
     );
     fault(
         camplete.replace("RAPTO, 5.", "RAPTO, 16."),
@@ -258,7 +258,7 @@ fn holes_of_autodesk_are_given_by_their_bottom_and_by_planes_across_z() {
     fault(camplete.replace("FEDTO, 12.", "FEDTO, -12."), "it leads out of the part");
     fault(
         cycle("CYCLE/DRILL, 12., MMPM, 200., 27., RAPTO, 10."),
-        "the tool is below the clearance plane of this cycle, Z 27",
+        "the tool is below the clearance plane of this cycle, 27 along its axis",
     );
     fault(
         cycle("CYCLE/DRILL, 12., MMPM, 200., 15., RAPTO, 16."),
@@ -266,6 +266,167 @@ fn holes_of_autodesk_are_given_by_their_bottom_and_by_planes_across_z() {
     );
     fault(cycle("CYCLE/DRILL, 12., MMPM, 200., 15., RAPTO, -1."), "a negative RAPTO");
     fault(cycle("CYCLE/BORE, 12., MMPM, 200., 15., 1."), "CYCLE/BORE has 3 numbers without a word");
-    fault(drill.replace("2,-12", "2,-12,0,.6,.8"), "planes across Z, and the tool is tilted");
+    // In a tilted section the planes count along the tool axis, on which the tool was below them.
+    fault(
+        drill.replace("2,-12", "2,-12,0,.6,.8"),
+        "the tool is below the clearance plane of this cycle, 15 along its axis",
+    );
     fault(format!("ORIGIN/0,0,1\n{drill}"), "the coordinates are transformed");
+}
+
+fn autodesk() -> ReadingOptions {
+    ReadingOptions { dialect: Some(crate::cl::Dialect::Autodesk), ..mm() }
+}
+
+#[test]
+fn planes_of_autodesk_count_along_a_tilted_tool() {
+    let text = |before: &str| {
+        format!(
+            "UNITS/MM\nMULTAX/ON\nRAPID\nGOTO/{before},20.,10.,1.,0.,0.\nCYCLE/DRILL, 12., MMPM, 200., 60., RAPTO, 15.\n\
+             FEDRAT/200., MMPM\nGOTO/28.,20.,10.,1.,0.,0.\nGOTO/28.,40.,10.,1.,0.,0.\nCYCLE/OFF\n"
+        )
+    };
+    // Bottom at X 28, so the top is at 40, the plane 20 above it and the feed begins 15 below the plane.
+    let found = events_without_places(&text("60."), autodesk());
+    assert_eq!(found[1], "hole 40 20 10 deep 12 from 5 to 20 Drill Some(PerMinute(200.0)) None");
+    assert_eq!(found[2], "hole 40 40 10 deep 12 from 5 to 20 Drill Some(PerMinute(200.0)) None");
+    let low = errors_with(&text("59."), autodesk());
+    assert!(low[0].contains("the tool is below the clearance plane of this cycle, 60 along its axis"), "{low:?}");
+}
+
+#[test]
+fn without_a_return_level_camplete_returns_to_its_clearance_plane() {
+    let text = |cycle: &str| format!("UNITS/MM\nRAPID\nGOTO/1,2,25\nCYCLE/{cycle}\nGOTO/1,2,10\nCYCLE/OFF\n");
+    let deep = text("DRILL, DEEP, FEDTO, 12, INCR, 4, MMPM, 200, CLEAR, 25, RAPTO, 5");
+    let found = events_without_places(&deep, autodesk());
+    assert_eq!(
+        found[1],
+        "hole 1 2 10 deep 12 from 5 to 15 Peck { first_mm: 4.0, later_mm: 4.0 } Some(PerMinute(200.0)) None"
+    );
+    // Without RAPTO its retract plane is the clearance plane: the feed begins there.
+    let found = events_without_places(&deep.replace(", RAPTO, 5", ""), autodesk());
+    assert!(found[1].starts_with("hole 1 2 10 deep 12 from 15 to 15 Peck"), "{found:?}");
+    let high = errors_with(&deep.replace("RAPTO, 5", "RAPTO, 16"), autodesk());
+    assert!(high[0].contains("the feed of this hole begins 16.0000 mm above its top"), "{high:?}");
+    let auto = errors_with(&deep.replace("RAPTO, 5", "RTRCTO, AUTO"), autodesk());
+    assert!(auto[0].contains("RTRCTO,AUTO is supported for NX only"), "{auto:?}");
+    let rigid = text("RIGID, DEPTH, 12., PITCH, 1.25, CLEAR, 25., RETURN, 15., RAPTO, 5.");
+    let found = events_without_places(&rigid, autodesk());
+    assert_eq!(
+        found[1],
+        "hole 1 2 10 deep 12 from 5 to 15 Tap { pitch_mm: Some(1.25) } Some(PerRevolution(1.25)) None"
+    );
+}
+
+#[test]
+fn args_fill_what_a_cycle_does_not_state_and_replace_nothing() {
+    let read = |cycle: &str, args: &[CycleArg]| {
+        let text = format!("$$*CATIA0\nGOTO/0,0,9\nCYCLE/DRILL,{cycle}\nGOTO/0,0,0\n");
+        let options = ReadingOptions { cycle_args: vec![(ClCycleKind::Drill, args.to_vec())], ..mm() };
+        let outcome = read_from(text.as_bytes(), options);
+        let help = outcome.diagnostics.first().and_then(|found| found.help.clone()).unwrap_or_default();
+        let text = outcome.diagnostics.first().map(|found| found.text.clone());
+        text.map_or_else(|| Ok(outcome.events[1].split_once(' ').unwrap().1.to_owned()), |text| Err((text, help)))
+    };
+    use CycleArg::{Clearance, Depth, Dwell, Feed, Return, Step};
+    let filled = read("5,DEPTH,20,CLEAR,2,MMPM,100", &[Return]).unwrap();
+    assert_eq!(filled, "hole 0 0 0 deep 20 from 2 to 5 Drill Some(PerMinute(100.0)) None");
+    for (record, args, name) in [
+        ("32,DEPTH,12,CLEAR,2", vec![Depth], "depth"),
+        ("20,DEPTH,12,CLEAR,2", vec![Clearance], "clearance"),
+        ("32,DEPTH,12,CLEAR,2,RETURN,5", vec![Return], "return"),
+        ("32,DEPTH,12,CLEAR,2,DWELL,REV,2", vec![Dwell], "dwell"),
+        ("32,DEPTH,12,CLEAR,2,STEP,1", vec![Step], "step"),
+        ("32,DEPTH,12,CLEAR,2,IPM,1", vec![Feed], "feed"),
+        ("12,13,CLEAR,2", vec![Depth, Depth], "depth"),
+    ] {
+        let (text, help) = read(record, &args).unwrap_err();
+        assert!(text.starts_with(&format!("the {name} of this cycle is stated twice")), "{record}: {text}");
+        // Both remedies, taken literally, leave one statement.
+        assert!(help.contains(&format!("\"{name}\" in `[cl.cycle.DRILL]`, `args`")), "{help}");
+    }
+    assert!(read("DEPTH,12,CLEAR,2", &[]).is_ok());
+    let (text, _) = read("12,-1,CLEAR,2", &[Depth]).unwrap_err();
+    assert!(text.contains("has 2 numbers without a word"), "{text}");
+}
+
+#[test]
+fn thru_of_creo_states_plates_from_the_top() {
+    let read = |cycle: &str| {
+        let text = format!("$$-> MFGNO / A\nGOTO / 0,0,50\nCYCLE / THRU, {cycle}\nGOTO / 1,0,0\n");
+        let outcome = read_from(text.as_bytes(), mm());
+        let fault = outcome.diagnostics.first().map(|found| found.text.clone());
+        fault.map_or_else(|| Ok(outcome.events[1].split_once(' ').unwrap().1.to_owned()), Err)
+    };
+    let gap = |ends: &str, begins: &str| format!("Gap {{ feed_ends_mm: {ends}, feed_begins_mm: {begins} }}");
+    let two = read("DEPTH, 12.0, 20.0, 32.0, MMPM, 100, CLEAR,$\n 2.0, RETURN, 5").unwrap();
+    assert!(two.starts_with("hole 1 0 0 deep 32 from 2 to 5 Through"), "{two}");
+    assert!(two.contains(&gap("12.0", "18.0")) && two.contains("count: 1"), "{two}");
+    let three = read("DEPTH,12,20,32,40,52,CLEAR,2").unwrap();
+    assert!(three.starts_with("hole 1 0 0 deep 52 from 2 to 2 Through") && three.contains("count: 2"), "{three}");
+    assert!(three.contains(&gap("32.0", "38.0")), "{three}");
+    assert_eq!(read("DEPTH,12,CLEAR,2").unwrap(), "hole 1 0 0 deep 12 from 2 to 2 Drill None None");
+    assert_eq!(read("DEPTH,12,32,CLEAR,2").unwrap_err(), "THRU with 2 depths: a plate is incomplete");
+    for wrong in ["12,11,32", "12,20,20", "12,20,32,30,40"] {
+        let found = read(&format!("DEPTH,{wrong},CLEAR,2")).unwrap_err();
+        assert_eq!(found, "the depths of this THRU do not increase", "{wrong}");
+    }
+    assert!(read("DEPTH,1,2,3,4,5,6,7,CLEAR,.5").unwrap().contains("count: 3"));
+    assert_eq!(read("DEPTH,1,2,3,4,5,6,7,8,9,CLEAR,.5").unwrap_err(), "THRU with more than 4 plates");
+    assert_eq!(
+        read("DEPTH,12,20,32,CLEAR,2,STEP,1").unwrap_err(),
+        "this cycle has a word that does not belong to THRU"
+    );
+    // Only the documentation of Creo states what they mean.
+    let iso = ReadingOptions { dialect: Some(crate::cl::Dialect::Iso), ..mm() };
+    let found = errors_with("GOTO/0,0,50\nCYCLE/THRU,DEPTH,12,20,32,CLEAR,2\nGOTO/1,0,0\n", iso);
+    assert_eq!(found, ["2:18+8 several numbers after DEPTH: what they mean is documented for Creo only"]);
+}
+
+#[test]
+fn threads_per_inch_and_a_pitch_state_the_thread() {
+    let read = |units: &str, cycle: &str| {
+        let text = format!("$$-> MFGNO / A\nUNITS / {units}\nGOTO / 0,0,9\nCYCLE / {cycle}\nGOTO / 1,0,0\n");
+        let mut reader = ClReader::new(text.as_bytes(), ReadingOptions::default());
+        let mut pitch = None;
+        while let Some((_, event)) = reader.next_event().unwrap() {
+            if let Event::Motion(ToolMotion::Hole(hole)) = event {
+                let crate::program::Drilling::Tap { pitch_mm } = hole.drilling else { panic!("{:?}", hole.drilling) };
+                pitch = pitch_mm;
+            }
+        }
+        let fault = reader.diagnostics().first().map(|found| found.text.clone());
+        fault.map_or_else(|| Ok(pitch.map(|pitch| (pitch * 1e6).round() / 1e6)), Err)
+    };
+    assert_eq!(read("MM", "TAP, DEPTH, 15.0, TPI, 20.0, CLEAR, 2.0"), Ok(Some(1.27)));
+    assert_eq!(read("INCHES", "TAP, DEPTH, 0.6, TPI, 20.0, CLEAR, 0.1"), Ok(Some(1.27)));
+    assert_eq!(read("INCHES", "TAP, DEPTH, 0.6, PITCH, 0.05, CLEAR, 0.1"), Ok(Some(1.27)));
+    assert_eq!(read("MM", "TAP, DEPTH, 15, TPI, 20, MMPR, 1.27, CLEAR, 2"), Ok(Some(1.27)));
+    let two = Err("this cycle states two pitches".to_owned());
+    assert_eq!(read("MM", "TAP, DEPTH, 15, TPI, 20, MMPR, 1.25, CLEAR, 2"), two);
+    assert_eq!(read("MM", "TAP, DEPTH, 15, TPI, 20, PITCH, 1.25, CLEAR, 2"), two);
+    assert_eq!(read("MM", "TAP, DEPTH, 15, TPI, 0, CLEAR, 2"), Err("TPI must be above 0".to_owned()));
+    assert!(read("MM", "DRILL, DEPTH, 15, TPI, 20, CLEAR, 2").unwrap_err().contains("which DRILL does not make"));
+}
+
+#[test]
+fn a_countersink_is_as_deep_as_its_cone() {
+    let read = |cycle: &str| {
+        let text = format!("$$-> MFGNO / A\nGOTO / 0,0,9\nCYCLE / {cycle}, CLEAR, 2\nGOTO / 1,0,0\n");
+        let outcome = read_from(text.as_bytes(), mm());
+        let fault = outcome.diagnostics.first().map(|found| found.text.clone());
+        fault.map_or_else(|| Ok(outcome.events[1].split(' ').nth(6).unwrap().parse::<f64>().unwrap()), Err)
+    };
+    let near =
+        |found: Result<f64, String>, depth: f64| assert!((found.clone().unwrap() - depth).abs() < 1e-9, "{found:?}");
+    near(read("CSINK, DIAMET, 10, TLANGL, 90"), 5.0);
+    near(read("CSINK, TLANGL, 120, DIAMET, 10"), 5.0 / 3.0_f64.sqrt());
+    near(read("CSINK, DEPTH, 5, DIAMET, 10, TLANGL, 90"), 5.0);
+    assert_eq!(
+        read("CSINK, DEPTH, 4.9, DIAMET, 10, TLANGL, 90").unwrap_err(),
+        "this depth is 4.9, and by DIAMET and TLANGL it is 5.0000"
+    );
+    assert!(read("CSINK, DIAMET, 10").unwrap_err().contains("one of them is absent"));
+    assert!(read("CSINK, DIAMET, 10, TLANGL, 180").unwrap_err().contains("an angle between 0 and 180 degrees"));
+    assert!(read("DRILL, DIAMET, 10, TLANGL, 90").unwrap_err().contains("which DRILL is not"));
 }

@@ -34,6 +34,28 @@ fn a_long_dwell_causes_a_warning() {
 }
 
 #[test]
+fn a_spindle_that_is_switched_on_at_a_stop_is_remarked_on() {
+    let remarks = |text: &str| -> Vec<String> {
+        let text = format!("SPINDL/900,RPM,CLW\nGOTO/0,0,9\n{text}\nGOTO/0,0,0\n");
+        read_from(text.as_bytes(), MM).diagnostics.iter().map(|found| found.text.clone()).collect()
+    };
+    for (stop, word) in [("SPINDL/ON\nSTOP\nSPINDL/OFF", "STOP"), ("SPINDL/ON\nPPRINT A\nOPSTOP", "OPSTOP")] {
+        let expected = format!("SPINDL/ON comes directly before {word}, where a spindle is switched off");
+        assert_eq!(remarks(stop), [expected], "{stop}");
+    }
+    for stop in [
+        "STOP\nSPINDL/ON",
+        "SPINDL/OFF\nSTOP\nSPINDL/ON",
+        "SPINDL/ON\nGOTO/0,0,8\nSTOP",
+        "SPINDL/ON\nSPINDL/OFF\nSTOP",
+        // A speed for the next tool, checked before its first cut.
+        "SPINDL/RPM,900,CLW\nSTOP",
+    ] {
+        assert_eq!(remarks(stop), [""; 0], "{stop}");
+    }
+}
+
+#[test]
 fn coolant_through_the_spindle_may_have_a_pressure() {
     let text = "COOLNT/THRU,LOW\nCOOLNT/THRU,MEDIUM\nCOOLNT/THRU,HIGH\nGOTO/0,0,0\n";
     let pressures = ["Low", "Medium", "High"].map(|word| format!("Coolant(ThroughAt({word}))"));

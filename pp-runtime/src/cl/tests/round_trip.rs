@@ -63,8 +63,9 @@ fn numbers(texts: &'static [&'static str]) -> impl Strategy<Value = Numbers<'sta
 
 fn circle() -> impl Strategy<Value = CircleRecord> {
     let form = prop::sample::select(vec![CircleForm::Four, CircleForm::Six, CircleForm::Seven, CircleForm::Eleven]);
-    (triple(), triple(), positive(), form, 1..=1000_u32, prop::option::of(0.001..3e5_f64)).prop_map(
-        |(centre, axis, radius, form, times, angle)| {
+    let sense = prop::sample::select(vec![None, Some(Rotation::Clockwise), Some(Rotation::CounterClockwise)]);
+    (triple(), triple(), positive(), (form, sense), 1..=1000_u32, prop::option::of(0.001..3e5_f64)).prop_map(
+        |(centre, axis, radius, (form, sense), times, angle)| {
             let form = if angle.is_some() { CircleForm::Seven } else { form };
             let radius = (form != CircleForm::Six).then_some(radius);
             let times = if angle.is_some() || form == CircleForm::Four { 1 } else { times };
@@ -75,6 +76,7 @@ fn circle() -> impl Strategy<Value = CircleRecord> {
                 radius,
                 eighth: (form == CircleForm::Eleven).then_some(0.06),
                 form,
+                sense: sense.filter(|_| form == CircleForm::Seven && angle.is_none()),
                 times,
                 angle_deg: angle,
                 at: Span::default(),
@@ -90,18 +92,27 @@ fn cycle() -> impl Strategy<Value = CycleCall> {
         prop_oneof![Just(None), Just(Some(Return::Auto)), number().prop_map(|level| Some(Return::Level(level)))];
     let levels = (some(), any::<bool>(), some(), some(), some(), some());
     let waits = (some(), some(), some(), some());
-    (kind, levels, waits, back_to, prop::option::of((positive(), feed_unit())), prop::collection::vec(number(), 0..=6))
-        .prop_map(|(kind, levels, waits, back_to, feed, positional)| {
+    let threads = (some(), some(), some(), some(), prop::collection::vec(number(), 0..=MOST_FURTHER_DEPTHS));
+    let feed = prop::option::of((positive(), feed_unit()));
+    (kind, levels, waits, threads, back_to, feed, prop::collection::vec(number(), 0..=6)).prop_map(
+        |(kind, levels, waits, threads, back_to, feed, positional)| {
             let (depth, is_fedto, rapto, clear, step, first_step) = levels;
             let (dwell, dwell_turns, back, orient) = waits;
             let mut cycle =
                 CycleCall { back_to, feed, rapto, clear, step, first_step, ..CycleCall::new(kind, Span::default()) };
             (cycle.dwell_s, cycle.dwell_rev, cycle.back, cycle.orient_deg) = (dwell, dwell_turns, back, orient);
             *(if is_fedto { &mut cycle.fedto } else { &mut cycle.depth }) = depth;
+            let (pitch, tpi, diameter, angle, further) = threads;
+            (cycle.pitch, cycle.threads_per_inch, cycle.diameter, cycle.tool_angle_deg) = (pitch, tpi, diameter, angle);
+            if kind == ClCycleKind::Thru && cycle.depth.is_some() {
+                cycle.further_depth_count = further.len();
+                cycle.further_depths[..further.len()].copy_from_slice(&further);
+            }
             cycle.positionals = positional.len();
             cycle.positional[..positional.len()].copy_from_slice(&positional);
             cycle
-        })
+        },
+    )
 }
 
 fn pressure() -> impl Strategy<Value = Pressure> {
@@ -122,6 +133,7 @@ fn subprogram_name() -> impl Strategy<Value = SubprogramName> {
 fn change() -> impl Strategy<Value = Record<'static>> {
     (cycle(), positive()).prop_map(|(mut words, rapto)| {
         (words.kind, words.positionals, words.positional) = (ClCycleKind::Drill, 0, [0.0; MOST_POSITIONAL]);
+        (words.further_depth_count, words.further_depths) = (0, [0.0; MOST_FURTHER_DEPTHS]);
         words.rapto = Some(rapto);
         Record::Cycle(CycleRecord::Change(words))
     })

@@ -179,6 +179,21 @@ impl<'a> Args<'a> {
         })
     }
 
+    /// Takes the next argument, which must be the number that belongs to `word`.
+    pub(crate) fn number_after(&mut self, word: Arg<'_>) -> Result<Arg<'a>, ClFault> {
+        let found = self.next()?;
+        if let Some(number) = found.filter(|arg| arg.looks_numeric()) {
+            return Ok(number);
+        }
+        let found = found.map_or_else(String::new, |arg| format!(", {} follows", quoted(arg.text)));
+        Err(ClFault::new(
+            "number expected",
+            word.at,
+            format!("{} has no number after it{found}", quoted(word.text)),
+            format!("write the word with its number: {},12", String::from_utf8_lossy(word.text)),
+        ))
+    }
+
     /// Takes the next argument, which must be this word.
     pub(crate) fn keyword(&mut self, word: &str) -> Result<(), ClFault> {
         let arg = self.needed()?;

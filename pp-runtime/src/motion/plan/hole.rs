@@ -3,7 +3,7 @@
 //! In both forms the tool moves over the hole at its present level or at the clearance level, whichever is higher, comes
 //! down along its axis, and ends at the return level of the CL data. A cycle is used where its line along Z of the program
 //! stays within the tolerance of the axis of the hole and the control has a cycle with just these steps. A hole that differs
-//! from all cycles (a first step unlike the others, a programmed retract between steps) is written as motions. A thread
+//! from all cycles (a first step unlike the others, a programmed retract between steps, several plates) is written as motions. A thread
 //! never is: only a cycle synchronises spindle and feed.
 
 use crate::kinematics::{Pose, math};
@@ -113,9 +113,11 @@ fn steps(hole: &Hole) -> Result<impl Iterator<Item = f64>, Fault> {
     let (first, later) = match hole.drilling {
         Drilling::Peck { first_mm: first, later_mm: later } => (first, later),
         Drilling::ChipBreak { step_mm: step, .. } => (step, step),
-        Drilling::Drill | Drilling::Ream | Drilling::FineBore { .. } | Drilling::Tap { .. } => {
-            (hole.depth_mm, hole.depth_mm)
-        }
+        Drilling::Drill
+        | Drilling::Ream
+        | Drilling::FineBore { .. }
+        | Drilling::Through { .. }
+        | Drilling::Tap { .. } => (hole.depth_mm, hole.depth_mm),
     };
     if (hole.depth_mm - first) / later > f64::from(MOST_HOLE_STEPS - 1) {
         let text =
@@ -230,6 +232,12 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let hole = self.hole;
         self.rapid_to(self.height().max(hole.clearance_mm))?;
         self.rapid_to(hole.clearance_mm)?;
+        if let Drilling::Through { gaps } = hole.drilling {
+            for gap in gaps.iter() {
+                self.feed_to(-gap.feed_ends_mm)?;
+                self.rapid_to(-gap.feed_begins_mm)?;
+            }
+        }
         let mut before: Option<f64> = None;
         for done in steps(hole)? {
             if let Some(before) = before {
@@ -243,6 +251,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                     | Drilling::Drill
                     | Drilling::Ream
                     | Drilling::FineBore { .. }
+                    | Drilling::Through { .. }
                     | Drilling::Tap { .. } => self.planner.policy.options.defaults.peck_gap_mm,
                 };
                 self.rapid_to((back - before).min(hole.clearance_mm))?;
@@ -380,6 +389,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             Drilling::Tap { .. } if !no_dwell && !can.tap_dwell => Err(NoCycle::NoTappingDwell),
             Drilling::Tap { pitch_mm: pitch } => Ok(self.thread(pitch)?),
             Drilling::FineBore { orient_rad } => self.fine_bore(orient_rad)?,
+            // No control feeds and moves at rapid in turn on the way down.
+            Drilling::Through { .. } => Err(NoCycle::OtherSteps),
             Drilling::Drill | Drilling::Ream | Drilling::Peck { .. } | Drilling::ChipBreak { .. } => {
                 Err(NoCycle::OtherSteps)
             }

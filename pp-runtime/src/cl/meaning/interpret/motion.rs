@@ -333,8 +333,8 @@ impl RecordInterpreter {
         let start = self.path.position("CIRCLE", at)?;
         let mut arc = arc_of(circle, &start, &end, self.path.feed(), at)?;
         let line = self.path.line_before(start.tip);
-        let frame = self.coordinates.workpiece().number();
-        self.votes.add_arc(&arc, circle.axis(), line, frame, here);
+        let group = (self.coordinates.workpiece().number(), circle.is_sense_stated());
+        self.votes.add_arc(&arc, circle.axis(), line, group, here);
         self.take_tip(&mut arc, at)?;
         Ok(arc)
     }
@@ -459,8 +459,8 @@ impl RecordInterpreter {
         self.votes.conclude_arc(None);
         let known = self.options.cycle_args.iter().find(|(kind, _)| *kind == cycle.kind);
         let args = known.map(|(_, args)| args.as_slice());
-        let named = holes::with_names(cycle, args, self.dialect())?;
-        let feed = match named.feed {
+        let cycle = holes::with_names(cycle, args, self.dialect())?;
+        let feed = match cycle.feed {
             Some((value, unit)) => {
                 let record = FeedRecord { value, unit, at: cycle.at, unit_at: cycle.at };
                 Some(feed_of(&record, &mut self.units, self.options.feed_label)?)
@@ -469,8 +469,8 @@ impl RecordInterpreter {
         };
         let unit_mm = self.units.millimetres(cycle.at)?;
         let initial = self.cycle.take_initial();
-        let context = CycleContext { dialect: self.dialect(), unit_mm, initial, args, feed };
-        holes::define(cycle, &context)
+        let context = CycleContext { dialect: self.dialect(), unit_mm, initial, feed };
+        holes::define(&cycle, &context)
     }
 
     /// GOTO while a cycle is active.
@@ -481,11 +481,11 @@ impl RecordInterpreter {
             self.path.set_here(top);
             return Ok(());
         };
-        if (cycle.from_bottom.is_some() || cycle.returns_at_mm.is_some()) && !self.coordinates.transforms().none() {
+        if cycle.plane.is_some() && !self.coordinates.transforms().none() {
             return Err(ClFault::new(
                 "CYCLE",
                 at,
-                "the levels of this cycle are planes across Z, and the coordinates are transformed",
+                "the levels of this cycle are coordinates along the tool axis, and the coordinates are transformed",
                 "does `dialect = \"autodesk\"` hold for this file? Its post writes no ORIGIN, TRANS or TRACUT",
             ));
         }

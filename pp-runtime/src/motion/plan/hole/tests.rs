@@ -9,7 +9,7 @@ use crate::diag::Severity;
 use crate::kinematics::machines::{Cb, Head, Xyz};
 use crate::motion::Provenance;
 use crate::motion::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
-use crate::program::{Dwell, Event, ToolMotion};
+use crate::program::{Dwell, Event, Gap, Gaps, ToolMotion};
 use crate::set_up::GivenTool;
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
@@ -82,6 +82,23 @@ fn deep_holes_are_cleared_after_each_step_and_chips_broken_without() {
     );
     let found = heights([1.0, 0.0, 2.0], Drilling::ChipBreak { step_mm: 2.0, retract_mm: Some(0.3) }, 2.0, None);
     assert_eq!(found.iter().map(|(height, _)| *height).collect::<Vec<_>>(), [-2.0, -1.7, -4.0, -3.7, -5.0, 2.0]);
+}
+
+#[test]
+fn a_hole_through_plates_is_fed_through_each_and_passes_the_gaps_at_rapid() {
+    let gap = |feed_ends_mm: f64, feed_begins_mm: f64| Gap { feed_ends_mm, feed_begins_mm };
+    let through = |gaps: &[Gap]| Drilling::Through { gaps: Gaps::of(gaps).unwrap() };
+    let found = heights([0.0, 0.0, 9.0], through(&[gap(1.0, 1.5), gap(2.5, 4.0)]), 3.0, Some(Dwell::Seconds(1.0)));
+    let expected = [(2.0, true), (-1.0, false), (-1.5, true), (-2.5, false), (-4.0, true), (-5.0, false), (3.0, true)];
+    assert_eq!(found, expected);
+    // The next plate begins within the clearance level of the one above, or just at it: up in the hole, or not at all.
+    let found = heights([0.0, 0.0, 9.0], through(&[gap(3.0, 2.5)]), 2.0, None);
+    assert_eq!(found, [(2.0, true), (-3.0, false), (-2.5, true), (-5.0, false), (2.0, true)]);
+    let found = heights([0.0, 0.0, 9.0], through(&[gap(3.0, 3.0)]), 2.0, None);
+    assert_eq!(found, [(2.0, true), (-3.0, false), (-5.0, false), (2.0, true)]);
+    // No cycle moves the tool so.
+    let events = after_cut([0.0, 0.0, 2.0], &[hole([1.0, 2.0, 0.0], through(&[gap(1.0, 2.0)]), 2.0, None)]);
+    assert_eq!(lines(&set_up(CycleOutput::Native), &events)[0], "G0 X1 Y2");
 }
 
 #[test]
