@@ -19,8 +19,10 @@ use super::permitted::Permitted;
 use super::units::FileUnits;
 use super::votes::ArcVotes;
 use crate::cl::dialect::Dialect;
-use crate::cl::record::{CircleRecord, CoordinateRecord, Point, ProgramRecord, Record, SubprogramRecord, Text};
-use crate::cl::text::{ClFault, Span};
+use crate::cl::record::{
+    ArcRecord, CircleRecord, CoordinateRecord, Point, ProgramRecord, Record, SubprogramRecord, Text,
+};
+use crate::cl::text::{ClFault, Span, decoded};
 use crate::program::{Arc, Event, Feed, Interruption, Location, NewStart, Spline, TextKind};
 
 /// CUTCOM/ON and the side that it needs.
@@ -62,6 +64,8 @@ pub(crate) struct RecordInterpreter {
     cycle: CycleInForce,
     /// The CAM system asks for inverse-time feed.
     inverse_time: bool,
+    /// COOLNT has stated a kind for the tool in the spindle, and has not switched it off.
+    coolant_kind_is_on: bool,
     cutcom: CutcomOn,
     /// The next GOTO is a straight motion only: see [`update_plain_goto`](Self::update_plain_goto).
     plain_goto: bool,
@@ -149,7 +153,11 @@ impl RecordInterpreter {
     /// Interprets the record of the statement at `here`.
     pub(crate) fn take(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {
         let restates = self.is_frame_restated(record, here);
-        self.admit(Permitted::of(record), restates)?;
+        let permitted = Permitted::of(record);
+        if permitted.begins_motion && !matches!(record, Record::Arc(ArcRecord::Circle(_))) {
+            self.arc.refuse_slope()?;
+        }
+        self.admit(permitted, restates)?;
         let taken = self.interpret(record, here);
         self.update_plain_goto();
         taken
@@ -295,7 +303,9 @@ impl RecordInterpreter {
             ProgramRecord::ToolPath(name) => {
                 self.begin_operation();
                 self.tool.end_operation();
-                if let Some(number) = self.coordinates.begin_operation(name.bytes, &self.options.set_ups) {
+                if let Some(number) =
+                    self.coordinates.begin_operation(decoded(name.bytes).as_bytes(), &self.options.set_ups)
+                {
                     self.change_set_up(number, here);
                 }
                 self.emit_text(here, TextUse::Operation, name);

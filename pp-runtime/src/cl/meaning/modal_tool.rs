@@ -3,6 +3,8 @@
 //! A cutter described before a call belongs to the tool called next. Creo describes it after the call, so a call is
 //! held until the next event. A motion with another cutter, for which no tool record has come, causes a warning.
 
+use std::collections::BTreeMap;
+
 use crate::cl::record::{CutterRecord, ToolCallRecord};
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Location, ToolCall};
@@ -15,6 +17,8 @@ const SAME_DIAMETER_MM: f64 = 1e-3;
 pub(crate) struct ModalTool {
     /// Cutter that belongs to the tool called next.
     next_cutter: Option<CutterRecord>,
+    /// Length offset registers of tools by number, where TOOLNO states them.
+    offsets: BTreeMap<u32, u32>,
     /// No motion has come since that cutter was described.
     next_is_new: bool,
     /// Cutter of the last motion that had no tool record for it.
@@ -58,7 +62,8 @@ impl ModalTool {
     /// LOADTL, LOAD/TOOL. The call before must have been taken by [`take_held`](Self::take_held).
     pub(crate) fn call(&mut self, tool: &ToolCallRecord, length_mm: Option<f64>, here: Location) {
         (self.next_is_new, self.uncalled) = (false, None);
-        let mut call = ToolCall { number: tool.number, length_mm, length_offset: tool.offset, ..ToolCall::default() };
+        let length_offset = tool.offset.or(self.offsets.get(&tool.number).copied());
+        let mut call = ToolCall { number: tool.number, length_mm, length_offset, ..ToolCall::default() };
         if let Some(cutter) = self.next_cutter.take() {
             call.diameter_mm = Some(cutter.diameter);
             call.corner_radius_mm = cutter.corner_radius;
@@ -74,6 +79,11 @@ impl ModalTool {
         self.note_size(cutter, here);
         self.next_cutter = Some(cutter);
         self.next_is_new = true;
+    }
+
+    /// TOOLNO with OSETNO before the calls of a tool.
+    pub(crate) fn set_offset_of(&mut self, number: u32, register: u32) {
+        self.offsets.insert(number, register);
     }
 
     /// CUTTER after a call.
