@@ -522,7 +522,7 @@ pub enum ToolMotion<'a> {
 /// Instruction at which the path ends. The next motion begins an operation, and cutter compensation must be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum NewStart<'a> {
-    /// TOOL PATH: begin of an operation, with its name as written.
+    /// TOOL PATH: begin of an operation, with its name, UTF-8.
     Operation(&'a [u8]),
     /// Tool call.
     Tool(ToolCall),

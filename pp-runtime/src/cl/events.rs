@@ -12,7 +12,7 @@ use std::thread::{self, JoinHandle};
 use super::dialect::Dialect;
 use super::meaning::{ArcVote, FrameVote, QueuedEvent, ReadingOptions};
 use super::reader::{ClReader, ReadSeek};
-use super::text::Span;
+use super::text::{Span, decoded};
 use crate::diag::Diagnostic;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Event, Feed, Location, NewStart, Spline, Units};
@@ -138,7 +138,7 @@ impl Batch {
         match self.places.get_mut(self.count).map(|(_, event)| event) {
             Some(QueuedEvent::Text(_, at)) => {
                 let start = self.text.len();
-                self.text.extend_from_slice(&text[at.start..at.end]);
+                self.text.extend_from_slice(decoded(&text[at.start..at.end]).as_bytes());
                 *at = Span { start, end: self.text.len() };
             }
             Some(QueuedEvent::Spline) => {

@@ -1,5 +1,6 @@
 //! The reader of CL data: bytes to events and diagnostics.
 
+use std::borrow::Cow;
 use std::io::{self, Read, Seek};
 
 use super::diagnostics::Faults;
@@ -10,9 +11,9 @@ use super::record::{
     CIRCLE, CIRCLE_NUMBERS, CatiaMatrix, GOTO, MotionRecord, Record, SubprogramRecord, comment_dialect, joined_goto,
     joined_record, next_circle, next_goto, parse, read_comment, record_dialect,
 };
-use super::subprogram::{KeptStatement, Subprograms, subprogram_fault};
+use super::subprogram::{self, KeptStatement, Subprograms, call_inside};
 use super::text::{
-    Beginning, ClFault, LONGEST_STATEMENT, Lexer, NumberLine, PhysicalLine, Span, Statement, StatementKind,
+    Beginning, ClFault, LONGEST_STATEMENT, Lexer, NumberLine, PhysicalLine, Span, Statement, StatementKind, decoded,
 };
 use crate::diag::{Diagnostic, Severity};
 use crate::program::{Arc, Event, Location, Move, ToolMotion, Units};
@@ -49,6 +50,8 @@ pub struct ClReader<R> {
     subprograms: Subprograms,
     /// Statement of a subprogram that holds that text, where the events come from a subprogram.
     kept: Option<KeptStatement>,
+    /// Text of the event that was returned last, if it is not UTF-8 in the file.
+    decoded: String,
 }
 
 /// What has come of a look for a motion on a line of its own, or on two.
@@ -84,6 +87,7 @@ impl<R: Read> ClReader<R> {
             statement: None,
             subprograms: Subprograms::default(),
             kept: None,
+            decoded: String::new(),
         }
     }
 
@@ -96,8 +100,16 @@ impl<R: Read> ClReader<R> {
         if self.straights(&mut next) == 0 && !self.other(&mut next[0])? {
             return Ok(None);
         }
-        let [(here, queued)] = next;
-        let event = queued.event(self.text(), self.interpreter.options(), self.interpreter.completed_curve());
+        let [(here, mut queued)] = next;
+        let mut in_file = true;
+        if let QueuedEvent::Text(_, at) = &mut queued
+            && let Cow::Owned(text) = decoded(&self.text()[at.start..at.end])
+        {
+            (self.decoded, in_file) = (text, false);
+            *at = Span { start: 0, end: self.decoded.len() };
+        }
+        let text = if in_file { self.text() } else { self.decoded.as_bytes() };
+        let event = queued.event(text, self.interpreter.options(), self.interpreter.completed_curve());
         Ok(Some((here, event)))
     }
 
@@ -525,9 +537,7 @@ impl<R: Read> ClReader<R> {
             (location, text.len().saturating_sub(at.start))
         };
         let taken = parse(text, self.interpreter.options().given_meanings()).and_then(|record| match record {
-            Record::Subprogram(SubprogramRecord::Call { at, .. }) => {
-                Err(subprogram_fault(at, "CALSUB inside a subprogram is not supported"))
-            }
+            Record::Subprogram(SubprogramRecord::Call { at, .. }) => Err(call_inside(at)),
             record => self.interpreter.take(&record, kept.location()),
         });
         let of_record = taken.err().map(|fault| (None, fault));
@@ -541,11 +551,8 @@ impl<R: Read> ClReader<R> {
     fn finish(&mut self) {
         self.progress = Progress::Done;
         let unfinished = self.interpreter.finish();
-        let unfinished = unfinished.err().or_else(|| {
-            let open = self.subprograms.is_open();
-            open.then(|| subprogram_fault(Span::WHOLE, "the file ends before the ENDSUB of a subprogram"))
-        });
-        if let (Some(fault), Some(statement)) = (unfinished, &self.statement) {
+        let fault = unfinished.err().or_else(|| self.subprograms.is_open().then(subprogram::unfinished));
+        if let (Some(fault), Some(statement)) = (fault, &self.statement) {
             self.faults.add(fault, statement, &self.lexer);
         }
         if let Some(statement) = self.statement {

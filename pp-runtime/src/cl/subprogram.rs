@@ -62,26 +62,27 @@ impl Subprograms {
 
     /// DEFSUB; refused inside another subprogram, for a name in use, and beyond [`MOST_SUBPROGRAMS`].
     pub(crate) fn define(&mut self, name: SubprogramName) -> Result<(), ClFault> {
-        self.try_define(name).map_err(|why| subprogram_fault(Span::WHOLE, why))
-    }
-
-    fn try_define(&mut self, name: SubprogramName) -> Result<(), &'static str> {
         if self.open.is_some() || self.running.is_some() {
-            return Err("DEFSUB inside a subprogram is not supported");
+            let why = "DEFSUB inside a subprogram is not supported";
+            return Err(fault(Span::WHOLE, why, "write ENDSUB before it: a subprogram is defined outside all others"));
         }
         // A refused DEFSUB still has its ENDSUB.
         self.open = Some((name, self.statements.len()));
         if self.known.contains_key(&name) {
-            return Err("this subprogram is already defined");
+            let why = "this subprogram is already defined";
+            return Err(fault(Span::WHOLE, why, "give it another name, here and in each CALSUB that is meant for it"));
         }
-        if self.known.len() >= MOST_SUBPROGRAMS { Err("the file defines too many subprograms") } else { Ok(()) }
+        if self.known.len() >= MOST_SUBPROGRAMS {
+            return Err(fault(Span::WHOLE, "the file defines too many subprograms", SPLIT));
+        }
+        Ok(())
     }
 
     /// Stores a statement; refused beyond [`MOST_BYTES`].
     pub(crate) fn keep(&mut self, text: &[u8], location: Location) -> Result<(), ClFault> {
         if self.text.len() + text.len() > MOST_BYTES || self.statements.len() * size_of::<KeptStatement>() > MOST_BYTES
         {
-            return Err(subprogram_fault(Span::WHOLE, "the subprograms of this file are too long"));
+            return Err(fault(Span::WHOLE, "the subprograms of this file are too long", SPLIT));
         }
         let start = self.text.len();
         self.text.extend_from_slice(text);
@@ -92,7 +93,8 @@ impl Subprograms {
     /// ENDSUB; refused without a DEFSUB.
     pub(crate) fn end(&mut self) -> Result<(), ClFault> {
         let Some((name, first)) = self.open.take() else {
-            return Err(subprogram_fault(Span::WHOLE, "ENDSUB without DEFSUB"));
+            let help = "write DEFSUB/name before the first record of the subprogram, or delete this ENDSUB";
+            return Err(fault(Span::WHOLE, "ENDSUB without DEFSUB", help));
         };
         if self.known.len() < MOST_SUBPROGRAMS {
             self.known.entry(name).or_insert(Subprogram { first, after: self.statements.len() });
@@ -108,10 +110,13 @@ impl Subprograms {
     /// CALSUB; refused inside a subprogram and for a name that is not defined.
     pub(crate) fn call(&mut self, name: SubprogramName, at: Span, here: Location) -> Result<(), ClFault> {
         if self.running.is_some() {
-            return Err(subprogram_fault(at, "CALSUB inside a subprogram is not supported"));
+            return Err(call_inside(at));
         }
         let known = self.known.get(&name);
-        let known = known.ok_or_else(|| subprogram_fault(at, "no DEFSUB with this name comes before the call"))?;
+        let known = known.ok_or_else(|| {
+            let help = "write DEFSUB/name, the records of the subprogram and ENDSUB before CALSUB/name";
+            fault(at, "no DEFSUB with this name comes before the call", help)
+        })?;
         self.running = Some((known.first, known.after));
         self.calls.get_or_insert((here, 0)).1 += 1;
         Ok(())
@@ -133,11 +138,21 @@ impl Subprograms {
     }
 }
 
-pub(crate) fn subprogram_fault(at: Span, why: &str) -> ClFault {
-    ClFault::new(
-        "subprogram",
-        at,
-        why,
-        "write DEFSUB/name, the records of the subprogram and ENDSUB before CALSUB/name",
-    )
+/// Remedy of a file with too many or too long subprograms.
+const SPLIT: &str = "post the operations of this file as several files";
+
+/// Fault of a CALSUB in a subprogram.
+pub(crate) fn call_inside(at: Span) -> ClFault {
+    let why = "CALSUB inside a subprogram is not supported";
+    fault(at, why, "write the records of the other subprogram in place of this CALSUB")
+}
+
+/// Fault of a subprogram that does not end.
+pub(crate) fn unfinished() -> ClFault {
+    let why = "the file ends before the ENDSUB of a subprogram";
+    fault(Span::WHOLE, why, "write ENDSUB after the last record of the subprogram")
+}
+
+fn fault(at: Span, why: &str, help: &str) -> ClFault {
+    ClFault::new("subprogram", at, why, help)
 }

@@ -718,6 +718,14 @@ fn contradiction(location: Location, property: &str) -> Diagnostic {
 
 /// Letters and digits of a text in capitals: what is left of it in the characters of any control.
 pub(crate) fn legible(text: &[u8]) -> Vec<u8> {
-    let text = String::from_utf8_lossy(text).replace('°', "deg").replace('µ', "u");
+    let in_ascii = |letter: char| match letter {
+        '°' => "DEG",
+        'µ' | 'μ' => "U",
+        'Ä' | 'ä' => "AE",
+        'Ö' | 'ö' => "OE",
+        'Ü' | 'ü' => "UE",
+        other => deunicode::deunicode_char(other).unwrap_or_default(),
+    };
+    let text: String = String::from_utf8_lossy(text).chars().map(in_ascii).collect();
     text.bytes().filter(u8::is_ascii_alphanumeric).map(|byte| byte.to_ascii_uppercase()).collect()
 }

@@ -53,6 +53,8 @@ pub(crate) struct WaitingCircle {
     times: u32,
     /// Angle that the arc must have (MOVARC).
     angle_rad: Option<f64>,
+    /// Height that the helix must have, up or down (ARCSLP).
+    height_mm: Option<f64>,
     line: u64,
 }
 
@@ -95,6 +97,7 @@ impl WaitingCircle {
             may_begin_at_centre: camplete || matches!(circle.form, CircleForm::Four | CircleForm::Seven),
             times: circle.times,
             angle_rad: circle.angle_deg.or(circle.eighth.filter(|_| camplete)).map(f64::to_radians),
+            height_mm: None,
             line,
         })
     }
@@ -204,6 +207,7 @@ pub(crate) fn tangent_circle(
         may_begin_at_centre: false,
         times: 1,
         angle_rad: None,
+        height_mm: None,
         line,
     };
     Ok((circle, end))
@@ -224,6 +228,16 @@ fn tangent_without_arc() -> ClFault {
     )
 }
 
+#[cold]
+fn slope_without_arc() -> ClFault {
+    ClFault::new(
+        "ARCSLP",
+        Span::WHOLE,
+        "expected MOVARC after ARCSLP, found another motion",
+        "write ARCSLP directly before the MOVARC of its helix; without a helix delete it",
+    )
+}
+
 /// The arc whose end is not read yet.
 #[derive(Debug, Default)]
 pub(crate) struct OpenArc {
@@ -232,11 +246,13 @@ pub(crate) struct OpenArc {
     direction: Option<Vector3<f64>>,
     /// AUTOPS or INDIRV was read: a TLON must follow.
     tangent_begun: bool,
+    /// Height of ARCSLP, mm, for the circle that must follow.
+    slope: Option<f64>,
 }
 
 impl OpenArc {
     pub(crate) fn is_open(&self) -> bool {
-        self.circle.is_some() || self.tangent_begun
+        self.circle.is_some() || self.tangent_begun || self.slope.is_some()
     }
 
     /// Checks that a record may come while an arc is open; a record that may not discards the arc.
@@ -264,7 +280,18 @@ impl OpenArc {
 
     /// CIRCLE: its GOTO must follow.
     pub(crate) fn open_circle(&mut self, circle: WaitingCircle) {
-        self.circle = Some(circle);
+        self.circle = Some(WaitingCircle { height_mm: self.slope.take().or(circle.height_mm), ..circle });
+    }
+
+    /// ARCSLP.
+    pub(crate) fn set_slope(&mut self, height_mm: f64) {
+        self.slope = Some(height_mm);
+    }
+
+    /// Refuses a motion other than an arc after ARCSLP.
+    #[inline]
+    pub(crate) fn refuse_slope(&mut self) -> Result<(), ClFault> {
+        if self.slope.take().is_none() { Ok(()) } else { Err(slope_without_arc()) }
     }
 
     /// The circle whose end is not read yet.
@@ -376,6 +403,10 @@ fn normal_and_angle(
     let off_plane = if circle.may_begin_at_centre { off_end.min(above_centre(start.tip)) } else { off_end };
     if off_plane > ARC_TOLERANCE_MM {
         return Err(fault(format!("the end of an arc is {off_plane:.4} mm off the plane of its circle")));
+    }
+    let height = (end.tip - start.tip).dot(&n).abs();
+    if let Some(stated) = circle.height_mm.filter(|stated| (stated - height).abs() > ARC_TOLERANCE_MM) {
+        return Err(fault(format!("an arc rises or falls by {height:.4} mm, and its ARCSLP states {stated:.4} mm")));
     }
     let radius = circle.radius_mm.unwrap_or(first);
     let off_radius = |found: f64| (found - radius).abs();

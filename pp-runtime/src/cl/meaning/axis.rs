@@ -237,7 +237,8 @@ fn in_doubt(doubt: AxisDoubt, at: Span) -> ClFault {
         ),
         AxisDoubt::MultaxOff => (
             "this point has no tool axis i, j, k, and the tool was tilted at MULTAX/OFF",
-            "write i, j, k in this GOTO; if the tool keeps its tilt after MULTAX/OFF, as in CATIA: `--dialect catia`",
+            "write i, j, k in this GOTO; if the tool keeps its tilt after MULTAX/OFF, as in CATIA: `--dialect catia`; if it is along \
+             Z again, as in the output of Autodesk: `--dialect autodesk`",
         ),
     };
     ClFault::new("tool axis", at, text, help)

@@ -68,7 +68,7 @@ impl CycleInForce {
             "CYCLE",
             Span::WHOLE,
             "this record is not permitted between the points of a CYCLE",
-            "end the cycle before this record: CYCLE/OFF",
+            "end the cycle before this record, CYCLE/OFF, and write the record of the cycle again before the holes after it",
         ))
     }
 

@@ -22,9 +22,10 @@ use super::units::FileUnits;
 use super::votes::ArcVotes;
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{
-    CircleRecord, CoordinateRecord, MachineRecord, MotionRecord, Point, ProgramRecord, Record, SubprogramRecord, Text,
+    ArcRecord, CircleRecord, CoordinateRecord, MachineRecord, MotionRecord, Point, ProgramRecord, Record,
+    SubprogramRecord, Text,
 };
-use crate::cl::text::{ClFault, Span};
+use crate::cl::text::{ClFault, Span, decoded};
 use crate::program::{Arc, Event, Feed, Interruption, Location, NewStart, Spindle, Spline, TextKind};
 
 /// CUTCOM/ON and the side that it needs.
@@ -66,6 +67,8 @@ pub(crate) struct RecordInterpreter {
     cycle: CycleInForce,
     /// The CAM system asks for inverse-time feed.
     inverse_time: bool,
+    /// COOLNT has stated a kind for the tool in the spindle, and has not switched it off.
+    coolant_kind_is_on: bool,
     cutcom: CutcomOn,
     /// Number of motions before the last SPINDL/ON without a speed or sense of rotation.
     spindle_on_after: Option<u64>,
@@ -155,7 +158,11 @@ impl RecordInterpreter {
     /// Interprets the record of the statement at `here`.
     pub(crate) fn take(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {
         let restates = self.is_frame_restated(record, here);
-        self.admit(Permitted::of(record), restates)?;
+        let permitted = Permitted::of(record);
+        if permitted.begins_motion && !matches!(record, Record::Arc(ArcRecord::Circle(_))) {
+            self.arc.refuse_slope()?;
+        }
+        self.admit(permitted, restates)?;
         if self.coordinates.workpiece().is_watched() {
             self.watch(record, here)?;
         }
@@ -366,7 +373,9 @@ impl RecordInterpreter {
             ProgramRecord::ToolPath(name) => {
                 self.begin_operation();
                 self.tool.end_operation();
-                if let Some(number) = self.coordinates.begin_operation(name.bytes, &self.options.set_ups) {
+                if let Some(number) =
+                    self.coordinates.begin_operation(decoded(name.bytes).as_bytes(), &self.options.set_ups)
+                {
                     self.change_set_up(number, here);
                 }
                 self.emit_text(here, TextUse::Operation, name);

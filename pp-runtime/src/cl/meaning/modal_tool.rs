@@ -3,6 +3,8 @@
 //! A cutter described before a call belongs to the tool called next, or to the tool in the spindle if that cuts before. Creo describes
 //! it after the call, so a call is held until the next event. All that is stated comes together in the `tool_table`.
 
+use std::collections::BTreeMap;
+
 use super::options::ReadingOptions;
 use super::tool_table::{Contradiction, CutterAt, StatedTool, ToolTable};
 use crate::cl::record::{CutterRecord, ToolCallRecord};
@@ -22,6 +24,8 @@ struct HeldCall {
 pub(crate) struct ModalTool {
     /// Cutter that belongs to the tool called next.
     next_cutter: Option<CutterAt>,
+    /// Length offset registers of tools by number, where TOOLNO states them.
+    offsets: BTreeMap<u32, u32>,
     /// No motion has come since that cutter was described.
     next_is_new: bool,
     /// Call that is held, because its cutter may follow.
@@ -74,7 +78,8 @@ impl ModalTool {
     /// LOADTL, LOAD/TOOL. The call before must have been taken by [`take_held`](Self::take_held).
     pub(crate) fn call(&mut self, tool: &ToolCallRecord, length_mm: Option<f64>, here: Location) {
         self.next_is_new = false;
-        let call = ToolCall { number: tool.number, length_mm, length_offset: tool.offset, ..ToolCall::default() };
+        let length_offset = tool.offset.or(self.offsets.get(&tool.number).copied());
+        let call = ToolCall { number: tool.number, length_mm, length_offset, ..ToolCall::default() };
         self.held = Some(HeldCall { here, call, cutter: self.next_cutter.take() });
     }
 
@@ -83,6 +88,11 @@ impl ModalTool {
         self.note_size(cutter, here);
         self.next_cutter = Some((cutter, here));
         self.next_is_new = true;
+    }
+
+    /// TOOLNO with OSETNO before the calls of a tool.
+    pub(crate) fn set_offset_of(&mut self, number: u32, register: u32) {
+        self.offsets.insert(number, register);
     }
 
     /// CUTTER after a call.

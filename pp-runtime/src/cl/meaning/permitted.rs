@@ -48,7 +48,7 @@ impl Permitted {
             Record::Arc(record) => match record {
                 ArcRecord::Circle(_) => Self::PATH_ALONE,
                 ArcRecord::TangentArc(_) => Self::ALONE,
-                ArcRecord::AutomaticPlane | ArcRecord::Direction { .. } => Self::ORDINARY,
+                ArcRecord::AutomaticPlane | ArcRecord::Direction { .. } | ArcRecord::Slope { .. } => Self::ORDINARY,
             },
             Record::Nurbs(record) => match record {
                 NurbsRecord::Begin => Self::PATH_ALONE,
@@ -60,7 +60,9 @@ impl Permitted {
             Record::Coordinates(record) => Self::of_coordinates(record),
             Record::Tool(record) => match record {
                 ToolRecord::Call(_) => Self::ALONE,
-                ToolRecord::Preselect(_) | ToolRecord::LengthOffset { .. } => Self::ORDINARY,
+                ToolRecord::Preselect(_) | ToolRecord::LengthOffset { .. } | ToolRecord::OffsetOf { .. } => {
+                    Self::ORDINARY
+                }
                 ToolRecord::Cutter(_) | ToolRecord::CutterOfLastTool(_) => Self::ORDINARY,
             },
             Record::Machine(record) => Self::of_machine(record),

@@ -1,4 +1,4 @@
-//! Records of arcs: CIRCLE in its three forms, MOVARC, and TLON with AUTOPS and INDIRV (CATIA).
+//! Records of arcs: CIRCLE in its forms, MOVARC, ARCSLP before it, and TLON with AUTOPS and INDIRV (CATIA).
 
 use std::fmt::{self, Display, Formatter};
 
@@ -60,8 +60,16 @@ pub struct TangentArc {
 /// A record that defines an arc or its begin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ArcRecord {
-    /// `CIRCLE/..` with 4, 6, 7 or 11 numbers, `CLW` or `CCLW` after 7, and `TIMES,n`; `MOVARC/x,y,z,i,j,k,r,ANGLE,degrees`.
+    /// `CIRCLE/..` with 4, 6, 7 or 11 numbers, `CLW` or `CCLW` after 7, and `TIMES,n`; `MOVARC/x,y,z,i,j,k,r,ANGLE,degrees`;
+    /// `MOVARC/CENTER,x,y,z,AXIS,i,j,k,RADIUS,r`.
     Circle(CircleRecord),
+    /// `ARCSLP/h`: the next arc is a helix of this height, up or down.
+    Slope {
+        /// Height in units of the file.
+        height: f64,
+        /// Place of the number, for messages.
+        at: Span,
+    },
     /// `AUTOPS`: the plane of the next TLON passes through the current position.
     AutomaticPlane,
     /// `INDIRV/i,j,k`: direction in which the next TLON begins.
@@ -169,12 +177,42 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     })
 }
 
-/// MOVARC: `x,y,z,i,j,k,r,ANGLE,degrees`.
+/// ARCSLP: height of the helix that follows. Its sign depends on height and sense in the script of *Mori APT*, which the GOTO and the
+/// axis of the arc state, too.
+pub(crate) fn slope(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
+    let [height] = args.exactly()?;
+    Ok(ArcRecord::Slope { height, at: args.all() })
+}
+
+/// MOVARC: `x,y,z,i,j,k,r,ANGLE,degrees`; `CENTER,x,y,z,AXIS,i,j,k,RADIUS,r`, counter-clockwise about the axis (script of *Mori
+/// APT*).
 pub(crate) fn move_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     let at = args.all();
     let mut numbers = [0.0; 7];
-    for place in &mut numbers {
+    let has_words = args.clone().next()?.is_some_and(|arg| arg.is("CENTER"));
+    for (index, place) in numbers.iter_mut().enumerate() {
+        match index {
+            0 if has_words => args.keyword("CENTER")?,
+            3 if has_words => args.keyword("AXIS")?,
+            6 if has_words => args.keyword("RADIUS")?,
+            _ => {}
+        }
         *place = args.needed()?.number()?;
+    }
+    let [x, y, z, i, j, k, r] = numbers;
+    let circle = CircleRecord {
+        centre: [x, y, z],
+        axis: [i, j, k],
+        radius: Some(r),
+        eighth: None,
+        form: CircleForm::Seven,
+        sense: None,
+        times: 1,
+        angle_deg: None,
+        at,
+    };
+    if has_words {
+        return Ok(ArcRecord::Circle(circle));
     }
     let word = args.needed()?;
     if !word.is("ANGLE") {
@@ -190,18 +228,7 @@ pub(crate) fn move_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
             "the angle is counter-clockwise about i, j, k, above 0 degrees and at most 1000 revolutions",
         ));
     }
-    let [x, y, z, i, j, k, r] = numbers;
-    Ok(ArcRecord::Circle(CircleRecord {
-        centre: [x, y, z],
-        axis: [i, j, k],
-        radius: Some(r),
-        eighth: None,
-        form: CircleForm::Seven,
-        sense: None,
-        times: 1,
-        angle_deg: Some(degrees),
-        at,
-    }))
+    Ok(ArcRecord::Circle(CircleRecord { angle_deg: Some(degrees), ..circle }))
 }
 
 /// TLON: `,GOFWD/ (CIRCLE/ x,y,z,r),ON,[2,INTOF,](LINE/ x,y,z,x,y,z)`.
@@ -326,6 +353,7 @@ impl Display for ArcRecord {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Self::Circle(circle) => circle.fmt(out),
+            Self::Slope { height, .. } => write!(out, "ARCSLP/{}", ClNumber(*height)),
             Self::AutomaticPlane => out.write_str("AUTOPS"),
             Self::Direction { vector, .. } => write!(out, "INDIRV/{}", ClNumbers(vector)),
             Self::TangentArc(arc) => arc.fmt(out),

@@ -6,7 +6,7 @@
 //! for the name of the CAM system.
 
 use super::Record;
-use super::coordinates::{CoordinateRecord, FrameRecord};
+use super::coordinates::{self, CoordinateRecord, FrameRecord};
 use super::machine::MachineRecord;
 use super::tool::{ToolRecord, cutter};
 use super::words::look_up;
@@ -79,7 +79,7 @@ fn incomplete() -> ClFault {
         "frame",
         Span::WHOLE,
         "expected a row of the matrix of $$*CATIA0: four numbers separated by blanks",
-        "the matrix is the frame of the points: write all three rows, or delete all of them",
+        "the matrix is the frame of the points after it: write all three rows",
     )
 }
 
@@ -155,12 +155,7 @@ fn of_creo(text: &[u8], start: usize) -> Result<Record<'static>, ClFault> {
             let mut args = Args::after_slash(&row.word, text, end)?;
             cutter(&mut args).map(|cutter| Record::Tool(ToolRecord::CutterOfLastTool(cutter)))
         }
-        "CSYS" => {
-            let mut args = Args::after_slash(&row.word, text, end)?;
-            let numbers = args.exactly()?;
-            let frame = FrameRecord::from_rows(&numbers, args.all());
-            Ok(Record::Coordinates(CoordinateRecord::Frame(frame)))
-        }
+        "CSYS" => coordinates::matrix(&mut Args::after_slash(&row.word, text, end)?).map(Record::Coordinates),
         _ => Ok(Record::Inert),
     }
 }

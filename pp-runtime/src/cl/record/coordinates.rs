@@ -10,28 +10,46 @@ use crate::program::Units;
 /// Largest permitted deviation of the axes of a frame from right-handed perpendicular unit vectors.
 const PERPENDICULAR: f64 = 1e-3;
 
-/// Output frame in the model: unit vectors of its axes, and its origin in units of the file.
+/// What a frame is stated in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FrameBase {
+    /// The model: MSYS of NX, CSYS and CAMERA of Creo, the matrix of CATIA.
+    Model,
+    /// The workpiece frame, in which the points are without it: MCSYS.
+    Workpiece,
+    /// The same in the output of Autodesk: MCS. That of Surfcam is a view, and the points may not be in it.
+    WorkpieceOrView,
+}
+
+/// Output frame: unit vectors of its axes, and its origin in units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrameRecord {
     /// Unit vectors of X, Y and Z of the frame.
     pub axes: [[f64; 3]; 3],
     /// Origin of the frame.
     pub origin: [f64; 3],
+    /// What axes and origin are stated in.
+    pub base: FrameBase,
     /// Place of the numbers, for messages.
     pub at: Span,
 }
 
 impl FrameRecord {
-    /// Frame from its origin and its X and Y, as in MSYS.
-    fn from_two_axes(n: &[f64; 9], at: Span) -> FrameRecord {
-        let (x, y) = ([n[3], n[4], n[5]], [n[6], n[7], n[8]]);
-        FrameRecord { axes: [x, y, cross(x, y)], origin: [n[0], n[1], n[2]], at }
+    /// The workpiece frame itself.
+    pub(crate) fn of_workpiece(at: Span) -> FrameRecord {
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        FrameRecord { axes, origin: [0.0; 3], base: FrameBase::Workpiece, at }
+    }
+
+    /// Frame from its origin and its X and Y.
+    fn from_two_axes([origin, x, y]: [[f64; 3]; 3], base: FrameBase, at: Span) -> FrameRecord {
+        FrameRecord { axes: [x, y, cross(x, y)], origin, base, at }
     }
 
     /// Frame from the rows of a 3×4 matrix: the first three columns are its axes, the fourth is its origin.
     pub(crate) fn from_rows(n: &[f64; 12], at: Span) -> FrameRecord {
         let column = |i: usize| [n[i], n[4 + i], n[8 + i]];
-        FrameRecord { axes: [column(0), column(1), column(2)], origin: column(3), at }
+        FrameRecord { axes: [column(0), column(1), column(2)], origin: column(3), base: FrameBase::Model, at }
     }
 
     /// Whether the axes are perpendicular, right-handed unit vectors.
@@ -54,7 +72,7 @@ impl FrameRecord {
 pub enum CoordinateRecord {
     /// `UNITS/MM`, `UNITS/INCH`, `UNITS/INCHES`, `UNIT/..`.
     Units(Units),
-    /// `MULTAX`, `MULTAX/ON`, `MULTAX/OFF`.
+    /// `MULTAX`, `MULTAX/ON`, `MULTAX/OFF`, `TCP/ON`, `TCP/OFF`.
     MultiAxis(bool),
     /// `TLAXIS/i,j,k`.
     ToolAxis {
@@ -63,7 +81,7 @@ pub enum CoordinateRecord {
         /// Place of the numbers, for messages.
         at: Span,
     },
-    /// `MSYS/x,y,z,i1,j1,k1,i2,j2,k2`, `$$-> CSYS / ..`, `$$*CATIA0` and three rows.
+    /// `MSYS/x,y,z,i1,j1,k1,i2,j2,k2`, `$$-> CSYS / ..`, `CAMERA/ ..`, `$$*CATIA0` and three rows; `MCS/`, `MCSYS/`.
     Frame(FrameRecord),
     /// `CSYS/` with the 12 numbers of a 3×4 matrix by rows: its third column is the tool axis (SolidWorks CAM).
     Setup(FrameRecord),
@@ -117,6 +135,12 @@ pub(crate) fn multi_axis(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFaul
     Ok(CoordinateRecord::MultiAxis(on))
 }
 
+/// TCP: ON before and OFF after the points of a multi-axis section, beside MULTAX (script of *Mori APT*). The points are those of
+/// the tip in any case.
+pub(crate) fn tip_control(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
+    args.one_of(&[("ON", true), ("OFF", false)]).map(CoordinateRecord::MultiAxis)
+}
+
 /// TLAXIS.
 pub(crate) fn tool_axis(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
     let axis = args.exactly()?;
@@ -125,8 +149,50 @@ pub(crate) fn tool_axis(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault
 
 /// MSYS, SYS.
 pub(crate) fn machine_system(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
+    let [x, y, z, i, j, k, l, m, n] = args.exactly()?;
+    let vectors = [[x, y, z], [i, j, k], [l, m, n]];
+    Ok(CoordinateRecord::Frame(FrameRecord::from_two_axes(vectors, FrameBase::Model, args.all())))
+}
+
+/// CSYS in a comment of Creo; CAMERA, which its G-POST format has in place of it.
+pub(crate) fn matrix(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
     let numbers = args.exactly()?;
-    Ok(CoordinateRecord::Frame(FrameRecord::from_two_axes(&numbers, args.all())))
+    Ok(CoordinateRecord::Frame(FrameRecord::from_rows(&numbers, args.all())))
+}
+
+/// MCS: axes X, Y, Z and origin of the work plane (`right`, `up`, `forward`, `workOrigin` in the script of *CAMplete APT*).
+pub(crate) fn work_plane(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
+    let n: [f64; 12] = args.exactly()?;
+    let [x, y, z, origin] = [0, 3, 6, 9].map(|first| [n[first], n[first + 1], n[first + 2]]);
+    let frame = FrameRecord { axes: [x, y, z], origin, base: FrameBase::WorkpieceOrView, at: args.all() };
+    Ok(CoordinateRecord::Frame(frame))
+}
+
+/// MCSYS: number of the work offset, origin, X and Y of the work plane (script of *Mori APT*).
+pub(crate) fn numbered_work_plane(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
+    let at = args.all();
+    args.keyword("NUM")?;
+    let number = args.needed()?;
+    if number.integer()? != 1 {
+        return Err(ClFault::new(
+            args.name(),
+            number.at,
+            format!(
+                "MCSYS with work offset {} is refused: its place on the machine is not stated",
+                quoted(number.text)
+            ),
+            "where all MCSYS of the file have this number, write NUM,1 in each and set `work_offset`; else post the operations of \
+             each number as a file of its own",
+        ));
+    }
+    let mut vectors = [[0.0; 3]; 3];
+    for (word, vector) in ["POINT", "VECTOR", "VECTOR"].into_iter().zip(&mut vectors) {
+        args.keyword(word)?;
+        for place in vector {
+            *place = args.needed()?.number()?;
+        }
+    }
+    Ok(CoordinateRecord::Frame(FrameRecord::from_two_axes(vectors, FrameBase::Workpiece, at)))
 }
 
 /// CSYS of SolidWorks CAM.
@@ -196,13 +262,18 @@ fn unless_cancelled<const N: usize>(args: &mut Args<'_>) -> Result<Option<[f64; 
     args.exactly().map(Some)
 }
 
-/// Writes a frame as MSYS where its Z is X × Y, else as the comment of Creo.
+/// Writes a frame. One in the model is MSYS where its Z is X × Y, else the comment of Creo.
 fn write_frame(frame: &FrameRecord, out: &mut Formatter<'_>) -> fmt::Result {
-    let [x, y, z] = frame.axes;
-    if distance(cross(x, y), z) > 0.0 {
-        return write!(out, "$$-> CSYS / {}", ClNumbers(&frame.rows()));
+    let FrameRecord { axes: [x, y, z], origin, base, .. } = frame;
+    let [origin, x, y, last] = [origin, x, y, z].map(|vector| ClNumbers(vector));
+    match base {
+        FrameBase::Model if distance(cross(frame.axes[0], frame.axes[1]), *z) > 0.0 => {
+            write!(out, "$$-> CSYS / {}", ClNumbers(&frame.rows()))
+        }
+        FrameBase::Model => write!(out, "MSYS/{origin},{x},{y}"),
+        FrameBase::Workpiece => write!(out, "MCSYS/NUM,1,POINT,{origin},VECTOR,{x},VECTOR,{y}"),
+        FrameBase::WorkpieceOrView => write!(out, "MCS/{x},{y},{last},{origin}"),
     }
-    write!(out, "MSYS/{},{},{}", ClNumbers(&frame.origin), ClNumbers(&x), ClNumbers(&y))
 }
 
 fn write_change(word: &str, by: Option<&[f64]>, out: &mut Formatter<'_>) -> fmt::Result {

@@ -123,6 +123,9 @@ pub(crate) fn compensation(args: &mut Args<'_>) -> Result<MachineRecord, ClFault
         let known = arg.among(&AxisPlane::WORDS);
         if arg.looks_numeric() && register.is_none() {
             register = Some(arg.integer()?);
+        } else if arg.is("OSETNO") && register.is_none() {
+            // Script of *Mori APT*: `CUTCOM/ LEFT, XYPLAN, OSETNO, n`.
+            register = Some(args.needed()?.integer()?);
         } else if known.is_some() && plane.is_none() {
             plane = known;
         } else {
@@ -172,10 +175,15 @@ pub(crate) fn rotary_direction(args: &mut Args<'_>) -> Result<MachineRecord, ClF
     Err(ClFault::new(
         args.name(),
         args.all(),
-        "this form of ROTABL is refused: the postprocessor computes rotary axes from the tool axis",
-        "if the points or TLAXIS state the tool axis (i, j, k), delete this line; ROTABL/SHORT and ROTABL/NEXT,CLW|CCLW are read",
+        "this form of ROTABL is refused: points after it may be in the frame that rotates with the table, and where it rotates about \
+         is not stated",
+        "output the points in the frame of the part, with i, j, k in each GOTO, and no table rotations; delete this line only where \
+         each GOTO after it has such i, j, k (not TLAXIS, and not 0, 0, 1); ROTABL/SHORT and ROTABL/NEXT,CLW|CCLW are read",
     ))
 }
+
+/// CLAMP with these words leaves the clamps of the rotary axes to the postprocessor (script of *Mori APT*): no effect.
+pub(crate) const CLAMPS_LEFT_TO_POST: [&str; 2] = ["CLAMP/TABLE,ALL,AUTO", "CLAMP/TABLE,ALL,OFF"];
 
 fn write_compensation(
     side: CutterSide,

@@ -6,8 +6,8 @@
 //! `meaning`.
 //!
 //! A record prints as a statement that is read back as the same record. Numbers are written as decimals with the fewest
-//! digits that give the same number. Statements are not split into several lines. Text is written as UTF-8, so text in
-//! another encoding changes.
+//! digits that give the same number. Statements are not split into several lines. Text is written as UTF-8, so Latin-1
+//! changes.
 //!
 //! ```
 //! let mut words = Vec::new();
@@ -31,10 +31,11 @@ mod spindle;
 mod subprogram;
 mod tool;
 mod values;
+mod vocabulary;
 mod words;
 
 pub use self::arc::{ArcRecord, CircleForm, CircleRecord, TangentArc};
-pub use self::coordinates::{CoordinateRecord, FrameRecord};
+pub use self::coordinates::{CoordinateRecord, FrameBase, FrameRecord};
 pub use self::cycle::{ClCycleKind, CycleCall, CycleRecord, CycleState, MOST_FURTHER_DEPTHS, MOST_POSITIONAL, Return};
 pub use self::feed::{FeedRecord, FeedUnit};
 pub use self::machine::MachineRecord;

@@ -1,6 +1,6 @@
 //! Statements to which the user gives a meaning: words declared inert, and statements of the shop.
 
-use super::parse::major_word;
+use super::parse::{has_numbers_of_a_frame, major_word};
 use super::words::{Handling, is_word, look_up};
 use crate::program::is_nc_text;
 
@@ -54,6 +54,9 @@ impl OwnStatement {
                 }
                 Handling::Lathe => return Err(format!("no block takes the place of {word}: it belongs to turning")),
             }
+        }
+        if !probes && look_up(word.as_bytes()).is_none() && has_numbers_of_a_frame(statement.as_bytes()) {
+            return Err(format!("no block takes the place of `{statement}`: its numbers may state a frame"));
         }
         let is_block =
             |block: &String| block.split('\n').all(|line| !line.trim().is_empty() && is_nc_text(line.as_bytes()));

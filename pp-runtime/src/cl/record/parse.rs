@@ -8,11 +8,15 @@ use std::io::Read;
 use super::Record;
 use super::arc::{CIRCLE_NUMBERS, CIRCLE_NUMBERS_HELD, CircleRecord};
 use super::comment::remark_dialect;
+use super::machine::CLAMPS_LEFT_TO_POST;
 use super::own::GivenMeanings;
 use super::values::{Point, Text};
 use super::words::{Handling, look_up};
 use crate::cl::dialect::Dialect;
-use crate::cl::text::{Args, ClFault, Help, Lexer, NumberLine, PhysicalLine, Span, Statement, quoted, skip_blanks};
+use crate::cl::text::{
+    Args, ClFault, Help, Lexer, NumberLine, PhysicalLine, Span, Statement, is_blank, quoted, skip_blanks, trimmed,
+    whole_number,
+};
 use crate::diag::Severity;
 
 /// Largest number of bytes of an unknown word that its message shows.
@@ -27,7 +31,8 @@ pub(crate) fn parse<'a>(text: &'a [u8], given: GivenMeanings<'_>) -> Result<Reco
     let Some(row) = look_up(word) else {
         return match own_statement(text, word_at, given) {
             Some(own) => own,
-            None if declared() => Ok(Record::Inert),
+            None if declared() => inert_unless_many_numbers(text, word_at),
+            None if is_of_listing(text) => Ok(Record::Inert),
             None => Err(unknown(text, word_at)),
         };
     };
@@ -56,21 +61,81 @@ pub(crate) fn parse<'a>(text: &'a [u8], given: GivenMeanings<'_>) -> Result<Reco
                 format!("suppress {name} in the CAM system; {}", if_harmless(name)),
             )),
         },
-        Handling::Automatic(_) if declared() => Ok(Record::Inert),
+        Handling::Automatic(_) if declared() || leaves_clamps_to_post(text) => Ok(Record::Inert),
         Handling::Automatic(reason) => Err(ClFault::new(
             name,
             word_at,
             format!("{name} is refused: {reason}"),
             format!("add `--inert {name}` if that is what it asks for; else suppress {name} in the CAM system"),
         )),
-        Handling::Hazard(reason) => Err(ClFault::new(
-            name,
-            word_at,
-            format!("{name} is refused: {reason}"),
-            format!("no option passes over {name}: output the path without it"),
-        )),
+        Handling::Hazard(reason) => {
+            Err(ClFault::new(name, word_at, format!("{name} is refused: {reason}"), instead_of(name)))
+        }
         Handling::Lathe => Err(ClFault::lathe_record(word_at)),
     }
+}
+
+/// Count of numbers from which on a statement of an unknown word may be a frame or a point with a tool axis.
+const NUMBERS_OF_A_FRAME: usize = 6;
+
+/// A statement of an unknown word that is declared inert. With as many numbers as a frame has it is refused: a path without its
+/// frame is wrong.
+fn inert_unless_many_numbers<'a>(text: &[u8], word_at: Span) -> Result<Record<'a>, ClFault> {
+    if !has_numbers_of_a_frame(text) {
+        return Ok(Record::Inert);
+    }
+    let word = String::from_utf8_lossy(&text[word_at.start..word_at.end]);
+    Err(ClFault::new(
+        "numbers of an inert word",
+        Span { start: word_at.start, end: text.len() },
+        format!(
+            "{word} has six or more numbers: it may be a frame or a point, so it is not passed over, though it is inert"
+        ),
+        "a frame of the points after it is read as MSYS/x,y,z,i,j,k,i,j,k (origin, X, Y), a point as GOTO; if it has no effect, \
+         delete this statement",
+    ))
+}
+
+/// Whether a statement has at least as many numbers as a frame or a point with a tool axis.
+pub(super) fn has_numbers_of_a_frame(text: &[u8]) -> bool {
+    let pieces = text.split(|byte| matches!(byte, b',' | b'/'));
+    pieces.filter(|piece| whole_number(trimmed(piece)).is_some()).count() >= NUMBERS_OF_A_FRAME
+}
+
+/// Whether a CLAMP leaves the clamps to the postprocessor.
+fn leaves_clamps_to_post(text: &[u8]) -> bool {
+    let written = || text.iter().filter(|byte| !is_blank(**byte)).map(u8::to_ascii_uppercase);
+    CLAMPS_LEFT_TO_POST.iter().any(|form| written().eq(form.bytes()))
+}
+
+/// What a user can do about a word that is always refused.
+fn instead_of(word: &str) -> String {
+    match word {
+        "ROTATE" => "output the points in the frame of the part, with i, j, k in each GOTO in place of table rotations; in Creo see its \
+                     parameters COORDINATE_OUTPUT (the machine coordinate system) and CL_DATA_MODE (no rotations in the file)"
+            .into(),
+        _ => format!("no option passes over {word}: output the path without it"),
+    }
+}
+
+/// Begin of the lines that the Information window of NX writes before a listing; a colon follows.
+const LISTING_HEADER: [&str; 4] = ["Information listing created by", "Date", "Current work part", "Node name"];
+
+/// Whether a line is one of those around the records of a listing in the Information window of NX, which have no effect. The lines
+/// between them are those of a CLSF.
+fn is_of_listing(text: &[u8]) -> bool {
+    let after = |start: &str| {
+        let begins = text.get(..start.len())?.eq_ignore_ascii_case(start.as_bytes());
+        begins.then(|| &text[skip_blanks(text, start.len())..])
+    };
+    let is_header = || LISTING_HEADER.iter().any(|start| after(start).is_some_and(|rest| rest.starts_with(b":")));
+    let is_footer = || {
+        after("Tool Path Listing has ").is_some_and(|rest| {
+            let count = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+            count > 0 && rest[count..].trim_ascii().eq_ignore_ascii_case(b"lines.")
+        })
+    };
+    text.iter().all(|byte| *byte == b'=') || is_header() || is_footer()
 }
 
 /// Fault of a line that is a record itself and that the `$` of the line before joins to the record `text`.
@@ -136,7 +201,8 @@ pub(crate) fn next_circle<R: Read>(
     })
 }
 
-/// Place of the major word; it may contain `-` and `_`. TOOL PATH is one word with a blank inside.
+/// Place of the major word; it may contain `-` and `_`. TOOL PATH is one word with a blank inside, if a slash follows: a listing of
+/// NX ends in `Tool Path Listing has 17 lines.`
 pub(super) fn major_word(text: &[u8]) -> Span {
     let length = |text: &[u8]| {
         text.iter().take_while(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_')).count()
@@ -146,7 +212,8 @@ pub(super) fn major_word(text: &[u8]) -> Span {
         let next = skip_blanks(text, end);
         let path = next + length(&text[next..]);
         // The table spells the word with exactly one blank.
-        if next == end + 1 && text[next..path].eq_ignore_ascii_case(b"PATH") {
+        let has_slash = text.get(skip_blanks(text, path)) == Some(&b'/');
+        if next == end + 1 && has_slash && text[next..path].eq_ignore_ascii_case(b"PATH") {
             return Span { start: 0, end: path };
         }
     }
@@ -190,6 +257,13 @@ pub(crate) fn if_harmless(word: &str) -> String {
 }
 
 fn unknown(text: &[u8], mut at: Span) -> ClFault {
+    let tool_path = b"TOOL PATH";
+    if text.get(..tool_path.len()).is_some_and(|start| start.eq_ignore_ascii_case(tool_path))
+        && let Some(row) = look_up(tool_path)
+        && let Err(fault) = Args::after_slash(&row.word, text, tool_path.len())
+    {
+        return fault;
+    }
     let named = at.start..at.end.min(at.start + LONGEST_NAME);
     if at.start == at.end {
         at.end = text.len();

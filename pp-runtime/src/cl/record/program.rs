@@ -14,7 +14,7 @@ pub enum ProgramRecord<'a> {
     PartName(Text<'a>),
     /// `MACHIN/name,n[,..]`: the name.
     MachineName(Text<'a>),
-    /// `TOOL PATH/name,TOOL,toolname`: the name.
+    /// `TOOL PATH/name,TOOL,toolname`, `OPNAME/'name'`: the name.
     ToolPath(Text<'a>),
     /// `END-OF-PATH`.
     EndOfPath,
@@ -68,7 +68,8 @@ pub(crate) fn machine_name<'a>(args: &mut Args<'a>) -> Result<Record<'a>, ClFaul
         .map_or(Record::Inert, |arg| Record::Program(ProgramRecord::MachineName(Text { bytes: arg.text, at: arg.at }))))
 }
 
-/// TOOL PATH, `/name,TOOL,toolname`. A name may contain commas, so the last `,TOOL,` ends it.
+/// TOOL PATH, `/name,TOOL,toolname`. A name may contain commas, so the last `,TOOL,` ends it. The slash is part of the word:
+/// see [`major_word`](super::parse::major_word).
 pub(crate) fn tool_path<'a>(args: &mut Args<'a>) -> Result<ProgramRecord<'a>, ClFault> {
     const TOOL: &[u8] = b",TOOL,";
     let mut name = Text::rest(args);
@@ -107,13 +108,18 @@ pub(crate) fn rewind<'a>(args: &mut Args<'_>) -> Result<ProgramRecord<'a>, ClFau
     Ok(ProgramRecord::Rewind)
 }
 
-/// MODE: only milling is accepted.
-pub(crate) fn mode(args: &mut Args<'_>) -> Result<(), ClFault> {
+/// MODE, APPLY: a word of `permitted`, which has no effect; turning is refused.
+pub(crate) fn mode(args: &mut Args<'_>, permitted: &[&str]) -> Result<(), ClFault> {
     let arg = args.needed()?;
     if arg.is("TURN") {
         return Err(ClFault::lathe_record(arg.at));
     }
-    if arg.is("MILL") || arg.is("ABSOL") { Ok(()) } else { Err(args.not_understood(arg)) }
+    if permitted.iter().any(|word| arg.is(word)) { Ok(()) } else { Err(args.not_understood(arg)) }
+}
+
+/// OPNAME: the name of the operation that begins (script of *Mori APT*).
+pub(crate) fn operation_name<'a>(args: &mut Args<'a>) -> ProgramRecord<'a> {
+    ProgramRecord::ToolPath(Text::rest(args))
 }
 
 impl Display for ProgramRecord<'_> {

@@ -80,7 +80,7 @@ impl ToolCallRecord {
 /// A record that calls, preselects or describes a tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ToolRecord {
-    /// `LOADTL/n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL]`, `LOAD/TOOL,n[,..]`.
+    /// `LOADTL/n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL][,'comment'][,NEXTTL,n]`, `LOAD/TOOL,n[,..]`.
     Call(ToolCallRecord),
     /// `SELECT/TOOL,n`, `SELCTL/n`.
     Preselect(u32),
@@ -88,16 +88,23 @@ pub enum ToolRecord {
     Cutter(CutterRecord),
     /// `$$-> CUTTER / d`: of the tool called last.
     CutterOfLastTool(CutterRecord),
-    /// `SET/OFSETL,n`: length offset register of the tool called last.
+    /// `SET/OFSETL,n`, `CUTCOM/ON,LENGTH,n`: length offset register of the tool called last.
     LengthOffset {
         /// Register.
         register: u32,
         /// Place of the number, for messages.
         at: Span,
     },
+    /// `TOOLNO/n,MILL,OSETNO,h,d`: length offset register of tool n in the calls after it.
+    OffsetOf {
+        /// Tool number.
+        number: u32,
+        /// Register.
+        register: u32,
+    },
 }
 
-/// LOADTL: `n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL]`.
+/// LOADTL: `n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL][,'comment'][,NEXTTL,n]`.
 ///
 /// SPINDL and MILL are words of a table of CATIA (`LOADTL/%n,ADJUST,%h,SPINDL,%s,MILL`; TURN for a turning tool): the speed
 /// has no effect until SPINDL starts the spindle. IN is written by the post *Generative Machining APT* of HSMWorks.
@@ -124,6 +131,11 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
             return Err(ClFault::lathe_record(arg.at));
         } else if arg.is("MILL") {
             // A milling tool.
+        } else if arg.text[0] == b'\'' {
+            skip_quoted(arg, args)?;
+        } else if arg.is("NEXTTL") {
+            // The tool after this one: whether it is preselected is configured.
+            args.needed()?.integer()?;
         } else if arg.is("LENGTH") {
             let value = args.number_after(arg)?;
             let length = value.number()?;
@@ -138,18 +150,10 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
             tool.length = Some(length);
         } else if arg.is("OSETNO") || arg.is("ADJUST") {
             let value = args.number_after(arg)?;
-            let offset = value.integer()?;
-            if offset == 0 || tool.offset.is_some_and(|other| other != offset) {
-                return Err(ClFault::new(
-                    "length offset",
-                    value.at,
-                    if offset == 0 {
-                        format!("{} 0 would cancel the length offset", quoted(arg.text))
-                    } else {
-                        "two different length offset registers for one tool".to_string()
-                    },
-                    "program one register above 0; without one the tool number is used",
-                ));
+            let offset = length_offset(arg, value)?;
+            if tool.offset.is_some_and(|other| other != offset) {
+                let text = "two different length offset registers for one tool";
+                return Err(ClFault::new("length offset", value.at, text, ONE_REGISTER));
             }
             tool.offset = Some(offset);
         } else {
@@ -157,6 +161,37 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
         }
     }
     Ok(ToolRecord::Call(tool))
+}
+
+const ONE_REGISTER: &str = "program one register above 0; without one the tool number is used";
+
+/// The length offset register after a word.
+fn length_offset(word: Arg<'_>, value: Arg<'_>) -> Result<u32, ClFault> {
+    match value.integer()? {
+        0 => {
+            let text = format!("{} 0 would cancel the length offset", quoted(word.text));
+            Err(ClFault::new("length offset", value.at, text, ONE_REGISTER))
+        }
+        register => Ok(register),
+    }
+}
+
+/// Skips a text in quotes that begins with `first`, the comment on a tool of *Mori APT*; it may contain commas.
+fn skip_quoted(first: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
+    let mut ends = first.text.len() > 1 && first.text.ends_with(b"'");
+    while !ends {
+        let Some(place) = args.next_place() else {
+            let text = "the quote that begins here does not end";
+            return Err(ClFault::new(
+                "quote",
+                first.at,
+                text,
+                "write a `'` after the text, or delete the one before it",
+            ));
+        };
+        ends = place.is_some_and(|arg| arg.text.ends_with(b"'"));
+    }
+    Ok(())
 }
 
 /// CUTTER of APT: `d[,r[,e,f,a,b,h]]`.
@@ -240,14 +275,38 @@ pub(crate) fn set(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClFault> {
 }
 
 /// TOOLNO: describes a tool and has no effect; refused for a turning tool. CATIA leaves places empty for parameters that a
-/// tool does not have.
-pub(crate) fn description(args: &mut Args<'_>) -> Result<(), ClFault> {
+/// tool does not have. `n,MILL,OSETNO,h,d` has its registers (script of *Mori APT*); that of the diameter is in CUTCOM, too.
+pub(crate) fn description(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClFault> {
+    let mut places = args.clone();
+    let [number, kind, word] = [(); 3].map(|()| places.next_place().flatten());
+    if let (Some(number), Some(word)) = (number, word)
+        && kind.is_some_and(|kind| kind.is("MILL"))
+        && word.is("OSETNO")
+    {
+        let register = length_offset(word, places.needed()?)?;
+        places.first_numbers::<1>()?;
+        *args = places;
+        return Ok(Some(ToolRecord::OffsetOf { number: number.integer()?, register }));
+    }
     while let Some(place) = args.next_place() {
         if let Some(arg) = place.filter(|arg| arg.is("TURN")) {
             return Err(ClFault::lathe_record(arg.at));
         }
     }
-    Ok(())
+    Ok(None)
+}
+
+/// CUTCOM/ON,LENGTH: the register of the tool length (script of *Mori APT*), not cutter compensation; `None` for another CUTCOM.
+pub(crate) fn length_compensation(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClFault> {
+    let mut ahead = args.clone();
+    let is_of_length =
+        ahead.next()?.is_some_and(|arg| arg.is("ON")) && ahead.next()?.is_some_and(|arg| arg.is("LENGTH"));
+    if !is_of_length {
+        return Ok(None);
+    }
+    let register = ahead.needed()?;
+    *args = ahead;
+    Ok(Some(ToolRecord::LengthOffset { register: register.integer()?, at: register.at }))
 }
 
 impl Display for ToolCallRecord {
@@ -284,6 +343,7 @@ impl Display for ToolRecord {
             Self::Cutter(cutter) => cutter.fmt(out),
             Self::CutterOfLastTool(cutter) => write!(out, "$$-> {cutter}"),
             Self::LengthOffset { register, .. } => write!(out, "SET/OFSETL,{register}"),
+            Self::OffsetOf { number, register } => write!(out, "TOOLNO/{number},MILL,OSETNO,{register}"),
         }
     }
 }

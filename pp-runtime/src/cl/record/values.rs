@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter, Write as _};
 
-use crate::cl::text::{Args, ClFault, Span, skip_blanks, trimmed, whole_number};
+use crate::cl::text::{Args, ClFault, Span, decoded, skip_blanks, trimmed, whole_number};
 
 /// A point with or without a tool axis, in units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -129,7 +129,7 @@ impl Display for Point {
 
 impl Display for Text<'_> {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        out.write_str(&String::from_utf8_lossy(self.bytes))
+        out.write_str(&decoded(self.bytes))
     }
 }
 

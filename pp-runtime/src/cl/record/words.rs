@@ -9,9 +9,10 @@ use std::io::{self, Write};
 
 use super::Record::{self, Arc, Coordinates, Cycle, Machine, Motion, Nurbs, Program, Subprogram, Tool};
 use super::values::{Point, Text};
+use super::vocabulary::vocabulary;
 use super::{ArcRecord, MachineRecord, MotionRecord, NurbsRecord, ProgramRecord, SubprogramRecord, ToolRecord};
 use super::{arc, comment, coordinates, cycle, machine, motion, nurbs, program, spindle, subprogram, tool};
-use crate::cl::text::{Args, ClFault, MajorWord, quoted};
+use crate::cl::text::{Args, ClFault, MajorWord};
 
 /// Function that reads the arguments of a word.
 type ReadArgs = for<'a> fn(&mut Args<'a>) -> Result<Record<'a>, ClFault>;
@@ -28,6 +29,7 @@ pub(crate) enum Handling {
     /// Refused for this reason; the user may declare it inert.
     Refused(&'static str),
     /// Refused for this reason: the postprocessor writes it itself. The user may declare it inert, but no block takes its place.
+    /// The forms of the row have no effect.
     Automatic(&'static str),
     /// Refused for this reason and never inert: without it the motion after it would be wrong.
     Hazard(&'static str),
@@ -59,6 +61,8 @@ use Handling::{Automatic, Hazard, Inert, Lathe, Read, ReadText, Refused};
 
 const MOVES_COORDINATES: &str = "it changes the coordinates of all points after it";
 const FRAME: &str = "it states a frame, and what its numbers mean for the points after it is not known";
+const OFFSET: &str = "it selects a zero point, and its place on the machine is not stated";
+const TIP_CONTROL: &str = "it switches between points of the tool tip and positions of axes";
 const NOT_CUT: &str = "the motions between DNTCUT and CUT are not to be made";
 const REDEFINES: &str = "it changes the meaning of other records";
 const MACHINE_AXES: &str = "it commands machine axes, which the postprocessor computes itself";
@@ -80,18 +84,22 @@ pub(crate) const CIRCLE: MajorWord = MajorWord {
 #[rustfmt::skip] // One row in one line.
 static TABLE: &[Row] = &[
     row("ALIGN", Hazard(MACHINE_AXES), ""),
-    row("ARCSLP", Refused(OWN_MEANING), ""),
+    // Script of *Mori APT* of Autodesk, as are MCSYS, OPNAME, TCP, `MOVARC/CENTER`, `CUTCOM/ON,LENGTH` and `TOOLNO/..,OSETNO`.
+    row("APPLY", Read(|args| program::mode(args, &["MILL"]).map(|()| Record::Inert)), "/MILL"),
+    row("ARCSLP", Read(|args| arc::slope(args).map(Arc)), "/h before an arc: height of the helix"),
     row("AUTOPS", Read(|_| Ok(Arc(ArcRecord::AutomaticPlane))), "before TLON"),
     row("AUXFUN", Read(|args| program::code(b'M', args).map(Program)), "/n[,NEXT|NOW]; only codes that `[cl] auxfun` allows"),
+    row("BEGIN", Inert, ""),
     row("BREAK", Refused(OWN_MEANING), ""),
     // Names: *Supported CL Data Commands* of PTC.
     row("CALSUB", Read(|args| subprogram::call(args).map(Subprogram)), "/name"),
-    row("CAMERA", Hazard(FRAME), ""),
+    // Files for G-POST: it comes where the other format has `$$-> CSYS`, with the same numbers.
+    row("CAMERA", Read(|args| coordinates::matrix(args).map(Coordinates)), "/12 numbers, as `$$-> CSYS`"),
     row("CHECK", Inert, ""),
     // x,y,z,r: *Supported CL Data Commands*; 6 numbers: files of SolidWorks CAM; 11: help of NX, script of *CAMplete APT*. Words
     // of the sense: `arc`.
     Row { word: CIRCLE, handling: Read(|args| arc::circle(args).map(Arc)) },
-    row("CLAMP", Automatic(CLAMPS), ""),
+    row("CLAMP", Automatic(CLAMPS), "/TABLE,ALL,AUTO|OFF leaves the clamps to the postprocessor"),
     row("CLEARP", Read(|args| coordinates::clearance_plane(args).map(Coordinates)), "/XYPLAN|YZPLAN|ZXPLAN,d; /a,b,c,d"),
     row("CLRSRF", Refused("it sets a clearance surface that is not a plane"), ""),
     row("CNTRL", Read(|args| nurbs::control_point(args).map(Nurbs)), "/x,y,z of a NURBS"),
@@ -102,10 +110,11 @@ static TABLE: &[Row] = &[
     row("CSYS", Read(|args| coordinates::setup(args).map(Coordinates)), "/12 numbers, after TRNTYP/WORLD,0,0,0"),
     row("CUT", Hazard(NOT_CUT), ""),
     // ON before the side: script of *Common ISO 4343 APT*; ON,LEFT,n: that of *Generative Machining APT*.
-    row("CUTCOM", Read(|args| machine::compensation(args).map(Machine)), "/[ON,]LEFT|RIGHT[,n][,XYPLAN]; /ON before or after them; /OFF"),
+    row("CUTCOM", Read(cutcom), "/[ON,]LEFT|RIGHT[,[OSETNO,]n][,XYPLAN]; /ON before or after them; /OFF; /ON,LENGTH,n as SET/OFSETL"),
     row("CUTTER", Read(|args| tool::cutter(args).map(|cutter| Tool(ToolRecord::Cutter(cutter)))), "/d[,r[,e,f,a,b,h]]"),
     // ON with words: files of NX. Levels: `meaning/holes`.
     row("CYCLE", Read(|args| cycle::cycle(args).map(Cycle)), "/DRILL|FACE|CSINK|THRU|DEEP|BRKCHP|BORE|REAM|TAP|RIGID|..; /OFF; /ON[,words to change]"),
+    row("DATUM", Hazard(OFFSET), ""),
     row("DEFSUB", Read(|args| subprogram::define(args).map(Subprogram)), "/name, up to ENDSUB"),
     row("DELAY", Read(|args| machine::delay(args).map(Machine)), "/seconds; /n,REV"),
     row("DISPLAY", Inert, ""),
@@ -134,17 +143,22 @@ static TABLE: &[Row] = &[
     row("LINTOL", Read(|args| machine::tolerance(args).map(Machine)), "/t; /OFF"),
     row("LOAD", Read(|args| tool::load(args).map(Tool)), "/TOOL,n[,..] as LOADTL"),
     // Numbers without a word: `meaning/tool_numbers`.
-    row("LOADTL", Read(|args| tool::call(args).map(Tool)), "/n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL]"),
+    row("LOADTL", Read(|args| tool::call(args).map(Tool)), "/n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL][,'comment'][,NEXTTL,n]"),
+    row("LOCALCS", Hazard(FRAME), ""),
     row("LOOP", Hazard("it may repeat motion"), ""),
     row("MACHIN", Read(program::machine_name), "[/name[,..]]"),
+    row("MATERL", Inert, ""),
     row("MATRIX", Hazard(MOVES_COORDINATES), ""),
     row("MCHTOL", Refused(TOLERANCE), ""),
-    row("MCS", Hazard(FRAME), ""),
+    // Scripts of *CAMplete APT* and *MANUSnc APT*.
+    row("MCS", Read(|args| coordinates::work_plane(args).map(Coordinates)), "/12 numbers: X, Y, Z and origin of the work plane"),
+    row("MCS2", Hazard(FRAME), ""),
+    row("MCSYS", Read(|args| coordinates::numbered_work_plane(args).map(Coordinates)), "/NUM,1,POINT,x,y,z,VECTOR,i,j,k,VECTOR,i,j,k: origin, X, Y"),
     row("MIRROR", Hazard(MOVES_COORDINATES), ""),
-    row("MODE", Read(|args| program::mode(args).map(|()| Record::Inert)), "/MILL; /ABSOL"),
+    row("MODE", Read(|args| program::mode(args, &["MILL", "ABSOL"]).map(|()| Record::Inert)), "/MILL; /ABSOL"),
     row("MODSYS", Hazard(FRAME), ""),
     // ANGLE, and a helix with its centre at the start: script of *Common ISO 4343 APT*.
-    row("MOVARC", Read(|args| arc::move_arc(args).map(Arc)), "/x,y,z,i,j,k,r,ANGLE,degrees and the GOTO that ends it"),
+    row("MOVARC", Read(|args| arc::move_arc(args).map(Arc)), "/x,y,z,i,j,k,r,ANGLE,degrees and the GOTO that ends it; /CENTER,x,y,z,AXIS,i,j,k,RADIUS,r and the GOTO"),
     // In files whose writer is not known; no manual has it.
     row("MOVE_ATTRIB", Refused(OWN_MEANING), ""),
     row("MSYS", Read(|args| coordinates::machine_system(args).map(Coordinates)), "/x,y,z,i1,j1,k1,i2,j2,k2"),
@@ -153,6 +167,7 @@ static TABLE: &[Row] = &[
     // Name of operation and feature around the records of each operation of CAMWorks, the same twice (8 of 8).
     row("OPFEATEND", Inert, ""),
     row("OPFEATSTART", Inert, ""),
+    row("OPNAME", ReadText(|args| Ok(Program(program::operation_name(args)))), "/name, as TOOL PATH"),
     row("OPSKIP", Read(|args| program::block_skip(args).map(Program)), "/ON|OFF; the blocks between begin with the mark of block skip"),
     row("OPSTOP", Read(|_| Ok(Program(ProgramRecord::OptionalStop))), ""),
     row("ORIGIN", Read(|args| coordinates::origin(args).map(Coordinates)), "/x,y,z; /NOMORE; /0"),
@@ -162,12 +177,14 @@ static TABLE: &[Row] = &[
     row("PATTERN", Hazard(MOVES_COORDINATES), ""),
     row("PITCH", Lathe, ""),
     row("PIVOTZ", Hazard(MACHINE_AXES), ""),
+    row("PLANE", Hazard(FRAME), ""),
+    row("POLAR", Hazard(REDEFINES), ""),
     row("POSITN", Hazard(MACHINE_AXES), ""),
     row("PPFUN", Hazard(REDEFINES), ""),
     row("PPRINT", ReadText(|args| Ok(Program(ProgramRecord::Message(Text::rest(args))))), "text"),
     row("PPTOL", Refused(TOLERANCE), ""),
     // Files for G-POST; no manual of it is public.
-    row("PPWORD", Read(vocabulary), "/word,n.. adds words to the vocabulary of another postprocessor: no effect"),
+    row("PPWORD", Read(vocabulary), "/word,n.. states numbers of words in the vocabulary of another postprocessor: no effect"),
     row("PREFUN", Read(|args| program::code(b'G', args).map(Program)), "/n; only codes that `[cl] prefun` allows"),
     row("RAPID", Read(|_| Ok(Machine(MachineRecord::Rapid))), "the next motion only"),
     row("REFSYS", Hazard(FRAME), ""),
@@ -178,6 +195,7 @@ static TABLE: &[Row] = &[
     row("ROTABL", Read(|args| machine::rotary_direction(args).map(Machine)), "/SHORT; /NEXT,CLW|CCLW"),
     row("ROTATE", Hazard(MOVES_COORDINATES), ""),
     row("ROTHED", Hazard(MACHINE_AXES), ""),
+    row("RTCP", Hazard(TIP_CONTROL), ""),
     row("SAFETY", Refused(OWN_MEANING), ""),
     row("SCALE", Hazard(MOVES_COORDINATES), ""),
     row("SELCTL", Read(|args| tool::preselect(args).map(Tool)), "/n"),
@@ -190,6 +208,8 @@ static TABLE: &[Row] = &[
     row("SWITCH", Lathe, ""),
     row("SYN", Hazard(REDEFINES), ""),
     row("SYS", Read(|args| coordinates::machine_system(args).map(Coordinates)), "/ as MSYS"),
+    row("TCP", Read(|args| coordinates::tip_control(args).map(Coordinates)), "/ON|OFF beside MULTAX: the points are those of the tip in any case"),
+    row("TCPCTL", Hazard(TIP_CONTROL), ""),
     row("THREAD", Lathe, ""),
     row("TLAXIS", Read(|args| coordinates::tool_axis(args).map(Coordinates)), "/i,j,k"),
     row("TLDATA", Read(|args| tool::data(args).map(Tool)), "/MILL,d,r,..; /DRILL[,word],d,.."),
@@ -197,37 +217,29 @@ static TABLE: &[Row] = &[
     row("TMARK", Inert, ""),
     row("TOLER", Inert, ""),
     row("TOOL PATH", ReadText(|args| program::tool_path(args).map(Program)), "/name,TOOL,name"),
-    row("TOOLNO", Read(|args| tool::description(args).map(|()| Record::Inert)), "/n,.. describes a tool and has no effect"),
+    row("TOOLNO", Read(|args| tool::description(args).map(|found| found.map_or(Record::Inert, Tool))), "/n,MILL,OSETNO,h,d before its calls; any other describes a tool and has no effect"),
     row("TPRINT", Inert, ""),
     row("TRACUT", Read(|args| coordinates::transformation(args).map(Coordinates)), "/12 numbers of a rigid motion; /NOMORE; /0"),
     row("TRANS", Read(|args| coordinates::translation(args).map(Coordinates)), "/x,y,z; /NOMORE; /0"),
+    row("TRAORI", Hazard(TIP_CONTROL), ""),
     row("TRNTYP", Read(|args| coordinates::world(args).map(Coordinates)), "/WORLD,0,0,0"),
     row("TURRET", Lathe, ""),
     row("UNCLAMP", Automatic(CLAMPS), ""),
     row("UNIT", Read(|args| coordinates::units(args).map(Coordinates)), "/MM|INCH"),
     row("UNITS", Read(|args| coordinates::units(args).map(Coordinates)), "/MM|INCH|INCHES"),
     row("UNLOAD", Refused("it leaves the spindle without a tool"), ""),
+    row("WCS", Hazard(OFFSET), ""),
+    row("WPLANE", Hazard(FRAME), ""),
+    row("ZERO", Hazard(OFFSET), ""),
+    row("ZSURF", Hazard(MOVES_COORDINATES), ""),
 ];
 
-/// PPWORD: words with their numbers for the vocabulary of G-POST (`PPWORD/TLANGL,1`). It moves nothing. A word that is read
-/// here would get another meaning by it, so it is refused.
-fn vocabulary<'a>(args: &mut Args<'a>) -> Result<Record<'a>, ClFault> {
-    let mut any = false;
-    while let Some(arg) = args.next()? {
-        if arg.looks_numeric() {
-            arg.number()?;
-        } else if look_up(arg.text).is_some() {
-            let text = format!("PPWORD is refused: it may change the meaning of {}", quoted(arg.text));
-            return Err(ClFault::new(
-                "PPWORD",
-                arg.at,
-                text,
-                "delete this line if the word has its usual meaning in this file",
-            ));
-        }
-        any = true;
+/// CUTCOM: cutter compensation, or the register of the tool length.
+fn cutcom<'a>(args: &mut Args<'a>) -> Result<Record<'a>, ClFault> {
+    match tool::length_compensation(args)? {
+        Some(register) => Ok(Tool(register)),
+        None => machine::compensation(args).map(Machine),
     }
-    if any { Ok(Record::Inert) } else { Err(args.wrong_count("a word", 0)) }
 }
 
 /// Words that are read for notes in the program (names, messages, sizes of cutters). Without them a note is missing, and what
@@ -300,6 +312,9 @@ pub fn list(out: &mut dyn Write) -> io::Result<()> {
     })?;
     writeln!(out, "    CSI_..")?;
     list_section(out, "Refused, unless `--inert WORD` permits to skip the word", |row| match row.handling {
+        Automatic(reason) if !row.word.forms.is_empty() => {
+            Some(format!("{0:<11} {reason}; {0}{1}", row.word.name, row.word.forms))
+        }
         Refused(reason) | Automatic(reason) => Some(format!("{:<11} {reason}", row.word.name)),
         Read(_) | ReadText(_) | Inert | Hazard(_) | Lathe => None,
     })?;
@@ -366,7 +381,14 @@ mod tests {
 
     #[test]
     fn only_what_moves_nothing_can_be_declared_inert() {
-        for word in ["GOTO", "LOOP", "SYN", "COPY", "TURRET", "CAMERA", "DNTCUT", "SCALE", "MCS", "", "A/B"] {
+        let frames =
+            ["CAMERA", "CSYS", "LOCALCS", "MCS", "MCS2", "mcsys", "MODSYS", "MSYS", "PLANE", "REFSYS", "WPLANE"];
+        let modes = ["APPLY", "DATUM", "MODE", "POLAR", "ROTHED", "RTCP", "TCP", "TCPCTL", "TRAORI", "WCS", "ZERO"];
+        for word in ["GOTO", "LOOP", "SYN", "COPY", "TURRET", "DNTCUT", "SCALE", "", "A/B"]
+            .into_iter()
+            .chain(frames)
+            .chain(modes)
+        {
             assert!(not_inert(word).is_some(), "{word}");
         }
         for word in

@@ -27,9 +27,19 @@ fn no_help_asks_for_another_output_where_an_edit_an_option_or_a_key_is_a_remedy(
 }
 
 #[test]
-fn words_for_a_vocabulary_have_no_effect_unless_they_are_read_here() {
+fn words_of_a_vocabulary_have_no_effect_unless_one_that_is_read_gets_another_meaning() {
     assert_eq!(errors("PPWORD/TLANGL,1\nPPWORD / CSINKD, 12, HOLDER, 3\nGOTO/0,0,0\n"), [""; 0]);
-    refused("PPWORD/rapid,5\nGOTO/0,0,0\n", "1:8+5 PPWORD is refused: it may change the meaning of `rapid`");
+    // A word of the table with its own number, and one that begins with a digit.
+    assert_eq!(
+        errors("PPWORD/TLAXIS,3171\nPPWORD/3DCOMP,3155\nPPWORD/CALSUB,3150\nPPWORD/RAPID,5\nGOTO/0,0,0\n"),
+        [""; 0]
+    );
+    // The number of FEDRAT; a word for a word; no number; not its own number.
+    for words in ["rapid,1009", "rapid,GOTO", "rapid", "TLANGL,1,rapid", "rapid,77"] {
+        let at = 8 + words.find("rapid").unwrap_or_default();
+        let expected = format!("1:{at}+5 PPWORD is refused: it may change the meaning of `rapid`");
+        refused(&format!("PPWORD/{words}\nGOTO/0,0,0\n"), &expected);
+    }
     assert_eq!(errors("PPWORD/\nGOTO/0,0,0\n").len(), 1);
 }
 

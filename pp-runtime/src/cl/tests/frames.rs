@@ -26,7 +26,8 @@ fn origin_is_subtracted_trans_added_and_tracut_turns_points_and_axes() {
     let given = ReadingOptions { trans_adds: true, ..mm() };
     assert_eq!(events_without_places(creo, given), ["feed 1 2 3 axis 0 0 1 None"]);
     assert!(errors("$$-> A\nROTATE/AAXIS,90\nGOTO/0,0,0\n")[0].contains("ROTATE is refused"));
-    assert!(errors("$$-> A\nROTABL/90,CLW\nGOTO/0,0,0\n")[0].contains("this form of ROTABL is refused"));
+    let rotabl = errors("$$-> A\nROTABL/90,CLW\nGOTO/0,0,0\n");
+    assert!(rotabl[0].contains("this form of ROTABL is refused"), "{rotabl:?}");
 }
 
 /// Message to the operator before the stop between two set-ups.
@@ -249,11 +250,16 @@ fn a_remark_with_an_arrow_is_the_record_that_a_comment_with_one_is() {
 
 #[test]
 fn a_word_of_a_frame_or_of_motions_that_are_not_cut_is_never_inert() {
-    for word in ["CAMERA", "DNTCUT", "CUT", "SCALE", "MCS", "MIRROR", "MODSYS", "REFSYS"] {
+    for word in ["DNTCUT", "CUT", "SCALE", "MCS2", "MIRROR", "MODSYS", "PLANE", "REFSYS", "WPLANE"] {
         let text = format!("{word}/1,0,0,0,0,1,0,0,0,0,1,0\nGOTO/0,0,0\n");
         let inert = ReadingOptions { inert: vec![word.to_owned()], ..mm() };
         assert!(errors_with(&text, inert.clone())[0].contains(&format!("{word} is refused: ")), "{word}");
         let help = read_from(text.as_bytes(), inert).diagnostics[0].help.clone().unwrap();
         assert!(!help.contains("--inert"), "{help}");
     }
+    // One that is read is read.
+    let upright = "CAMERA/1,0,0,0,0,1,0,0,0,0,1,0\nGOTO/0,0,0\n";
+    let other = "CAMERA/1,0,0,9,0,1,0,0,0,0,1,0\nGOTO/0,0,0\n";
+    let inert = ReadingOptions { inert: vec!["CAMERA".to_owned()], ..mm() };
+    assert!(errors_with(&format!("{upright}{other}"), inert)[0].contains("the frame in line 3 differs"));
 }

@@ -11,6 +11,8 @@ mod motions;
 mod options;
 mod round_trip;
 mod subprograms;
+mod systems;
+mod texts;
 mod tools;
 
 use super::{ClReader, ReadingOptions};

@@ -2,6 +2,7 @@
 
 use crate::cl::record::*;
 use crate::cl::record::{CatiaMatrix, GivenMeanings, parse, read_comment};
+use crate::cl::vector::cross;
 use crate::program::{Coolant, CutterSide, Dwell, Pressure, RotaryDirection, Rotation, Spindle, Units};
 use proptest::prelude::*;
 
@@ -30,10 +31,22 @@ fn point() -> impl Strategy<Value = Point> {
 }
 
 fn axis_frame() -> impl Strategy<Value = FrameRecord> {
-    ([triple(), triple(), triple()], triple()).prop_map(|(axes, origin)| FrameRecord {
+    let base = FrameBase::Model;
+    ([triple(), triple(), triple()], triple()).prop_map(move |(axes, origin)| FrameRecord {
         axes,
         origin,
+        base,
         at: Span::default(),
+    })
+}
+
+/// Frames that are stated in the workpiece frame; in MCSYS the third axis is that of a right-handed frame.
+fn work_plane() -> impl Strategy<Value = FrameRecord> {
+    let base = prop::sample::select(vec![FrameBase::Workpiece, FrameBase::WorkpieceOrView]);
+    (axis_frame(), base).prop_map(|(frame, base)| {
+        let [x, y, z] = frame.axes;
+        let z = if base == FrameBase::Workpiece { cross(x, y) } else { z };
+        FrameRecord { axes: [x, y, z], base, ..frame }
     })
 }
 
@@ -180,6 +193,7 @@ fn motions() -> BoxedStrategy<Record<'static>> {
         Just(Record::Machine(MachineRecord::Rapid)),
         circle().prop_map(|value| Record::Arc(ArcRecord::Circle(value))),
         Just(Record::Arc(ArcRecord::AutomaticPlane)),
+        number().prop_map(|height| Record::Arc(ArcRecord::Slope { height, at: at() })),
         triple().prop_map(|vector| Record::Arc(ArcRecord::Direction { vector, at: at() })),
         (triple(), positive(), [triple(), triple()], any::<bool>()).prop_map(|(centre, radius, line, second)| {
             Record::Arc(ArcRecord::TangentArc(TangentArc { centre, radius, line, second, at: at() }))
@@ -206,6 +220,7 @@ fn coordinates() -> BoxedStrategy<Record<'static>> {
         any::<bool>().prop_map(|value| Record::Coordinates(CoordinateRecord::MultiAxis(value))),
         triple().prop_map(|axis| Record::Coordinates(CoordinateRecord::ToolAxis { axis, at: at() })),
         axis_frame().prop_map(|value| Record::Coordinates(CoordinateRecord::Frame(value))),
+        work_plane().prop_map(|value| Record::Coordinates(CoordinateRecord::Frame(value))),
         axis_frame().prop_map(|value| Record::Coordinates(CoordinateRecord::Setup(value))),
         Just(Record::Coordinates(CoordinateRecord::World)),
         prop::option::of(triple()).prop_map(|value| Record::Coordinates(CoordinateRecord::Origin(value))),
@@ -262,6 +277,8 @@ fn states() -> BoxedStrategy<Record<'static>> {
             ToolRecord::CutterOfLastTool(CutterRecord { diameter, corner_radius, kind: None })
         )),
         (0..1000_u32).prop_map(|register| Record::Tool(ToolRecord::LengthOffset { register, at: at() })),
+        (1..1000_u32, 1..1000_u32)
+            .prop_map(|(number, register)| Record::Tool(ToolRecord::OffsetOf { number, register })),
         (positive(), feed_unit()).prop_map(|(value, unit)| Record::Machine(MachineRecord::Feed(FeedRecord {
             value,
             unit,

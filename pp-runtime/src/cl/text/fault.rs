@@ -2,6 +2,7 @@
 //!
 //! A fault names bytes of its statement; the reader converts them to line and column of the file.
 
+use super::encoding::decoded;
 use crate::diag::Severity;
 
 /// Range of bytes of a statement, counted from its first byte.
@@ -73,13 +74,14 @@ impl ClFault {
     }
 }
 
-/// Quotes bytes of a file for a message: at most 40 bytes, valid text whatever the encoding of the file.
+/// Quotes bytes of a file for a message: at most 40 letters.
 pub(crate) fn quoted(text: &[u8]) -> String {
     const SHOWN: usize = 40;
-    let (text, dots) = if text.len() > SHOWN { (&text[..SHOWN], "...") } else { (text, "") };
-    let clean: String =
-        String::from_utf8_lossy(text).chars().map(|c| if c.is_control() { '\u{FFFD}' } else { c }).collect();
-    format!("`{clean}{dots}`")
+    let text = decoded(text);
+    let mut letters = text.chars().map(|letter| if letter.is_control() { '\u{FFFD}' } else { letter });
+    let shown: String = letters.by_ref().take(SHOWN).collect();
+    let dots = if letters.next().is_some() { "..." } else { "" };
+    format!("`{shown}{dots}`")
 }
 
 #[cfg(test)]
@@ -89,7 +91,7 @@ mod tests {
     #[test]
     fn foreign_bytes_and_long_text_are_quoted_safely_and_shortened() {
         assert_eq!(quoted(b"GOTO"), "`GOTO`");
-        assert_eq!(quoted(b"\xCF\x00x"), "`\u{FFFD}\u{FFFD}x`");
+        assert_eq!(quoted(b"\xCF\x00x"), "`Ï\u{FFFD}x`");
         assert_eq!(quoted(&[b'a'; 41]), format!("`{}...`", "a".repeat(40)));
     }
 }

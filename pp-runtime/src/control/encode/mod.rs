@@ -324,9 +324,10 @@ impl<'a> Encoder<'a> {
 
     /// Writes the name of an operation, as a message or a comment.
     fn operation(&mut self, name: &[u8]) -> io::Result<()> {
+        let name = legible(name);
         match self.codes.operation {
             Some(marks) => self.displayed(marks, &name[..name.len().min(self.codes.comment.length)]),
-            None => self.comment(&[b"OPERATION ", name].concat()),
+            None => self.comment(&[b"OPERATION ", &*name].concat()),
         }
     }
 }

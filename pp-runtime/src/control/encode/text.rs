@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use deunicode::deunicode_char;
+
 use crate::control::dialects::{Control, Spellings};
 use crate::control::layout::Layout;
 
@@ -39,23 +41,24 @@ pub(crate) fn comments(control: &dyn Control, text: &str) -> Vec<Vec<u8>> {
     spelled.collect()
 }
 
-/// A text with letters instead of signs that few controls have (`°`, `µ`).
+/// A text in ASCII, the letters that all controls have.
 pub(crate) fn legible(text: &[u8]) -> Cow<'_, [u8]> {
     if text.is_ascii() {
         return text.into();
     }
-    let mut out = Vec::with_capacity(text.len());
-    for chunk in text.utf8_chunks() {
-        for letter in chunk.valid().chars() {
-            match letter {
-                '°' => out.extend_from_slice(b" deg"),
-                'µ' => out.push(b'u'),
-                other => out.extend_from_slice(other.encode_utf8(&mut [0; 4]).as_bytes()),
-            }
-        }
-        out.extend_from_slice(chunk.invalid());
-    }
-    out.into()
+    let letter = |letter: char| match letter {
+        '°' => " deg",
+        'µ' | 'μ' => "u",
+        // As German is written without umlauts.
+        'Ä' => "AE",
+        'Ö' => "OE",
+        'Ü' => "UE",
+        'ä' => "ae",
+        'ö' => "oe",
+        'ü' => "ue",
+        other => deunicode_char(other).unwrap_or("?"),
+    };
+    String::from_utf8_lossy(text).chars().map(letter).collect::<String>().into_bytes().into()
 }
 
 /// A name in capitals, digits and `_`.
@@ -67,7 +70,7 @@ pub(crate) fn plain(name: &str) -> String {
 /// Name of the program in the characters that the control permits.
 pub(crate) fn program_name(codes: &Spellings, layout: &Layout) -> String {
     let given = layout.options.program_name.as_ref().map_or(layout.name.as_slice(), String::as_bytes);
-    let given = given.trim_ascii();
+    let given = legible(given.trim_ascii());
     let byte = |byte: &u8| match byte.to_ascii_uppercase() {
         byte if !codes.plain_name => (codes.comment.byte)(byte),
         byte if byte.is_ascii_alphanumeric() => byte,
@@ -75,4 +78,16 @@ pub(crate) fn program_name(codes: &Spellings, layout: &Layout) -> String {
     };
     let name: String = given.iter().take(codes.comment.length / 2).map(byte).map(char::from).collect();
     if name.is_empty() { "NONAME".to_owned() } else { name }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::control::dialects::Siemens;
+
+    #[test]
+    fn the_name_of_the_program_keeps_the_letters_of_its_part() {
+        let layout = Layout { name: "Würfel 7".into(), ..Layout::default() };
+        assert_eq!(program_name(Siemens.spellings(), &layout), "WUERFEL 7");
+    }
 }

@@ -36,3 +36,14 @@ fn a_comment_never_continues_in_the_next_line_and_never_ends_early() {
     let text = steps(&Siemens, &layout(), &[Step::Operation { name: b"a\") M3" }]);
     assert_eq!(text, ["MSG(\"a') M3\")"]);
 }
+
+#[test]
+fn letters_that_no_control_has_are_written_in_ascii_in_every_text() {
+    let (name, text) = ("FRÄSEN Ж".as_bytes(), "Öl prüfen 45°, côté".as_bytes());
+    for control in CONTROLS {
+        let comment = written_by(*control, &layout(), |encoder| encoder.comment(text)).concat().to_uppercase();
+        assert!(comment.contains("OEL PRUEFEN 45 DEG, COTE"), "{comment}");
+        let operation = steps(*control, &layout(), &[Step::Operation { name }]).concat().to_uppercase();
+        assert!(operation.contains("FRAESEN ZH"), "{operation}");
+    }
+}

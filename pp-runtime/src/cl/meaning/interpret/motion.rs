@@ -269,7 +269,10 @@ impl RecordInterpreter {
         let from = self.path.position("RETRCT", Span::WHOLE)?;
         let along = from.axis.dot(&plane.normal);
         if along < 1e-3 {
-            return fault("RETRCT along the tool axis does not reach the clearance plane", "check CLEARP");
+            return fault(
+                "RETRCT along the tool axis does not reach the clearance plane",
+                "program CLEARP with a plane that the tool crosses along its axis, before this RETRCT",
+            );
         }
         let distance = (plane.distance_mm - from.tip.coords.dot(&plane.normal)) / along;
         let is_above = distance <= 0.0;
@@ -283,6 +286,10 @@ impl RecordInterpreter {
     pub(crate) fn take_arc(&mut self, record: &ArcRecord, here: Location) -> Result<(), ClFault> {
         match record {
             ArcRecord::Circle(circle) => self.open_circle(circle, here)?,
+            ArcRecord::Slope { height, at } => {
+                let unit_mm = self.units.millimetres(*at)?;
+                self.arc.set_slope(height.abs() * unit_mm);
+            }
             ArcRecord::AutomaticPlane => self.arc.begin_tangent(),
             ArcRecord::Direction { vector, at } => {
                 let direction = self.coordinates.transforms().vector(Vector3::from(*vector));
@@ -301,7 +308,7 @@ impl RecordInterpreter {
                 "circle",
                 Span::WHOLE,
                 "RAPID before a circle: no control runs an arc at rapid",
-                "program a feed for the arc",
+                "delete that RAPID: the arc then runs at the feed of the FEDRAT before it",
             ));
         }
         let camplete = self.dialect() == Dialect::Autodesk && circle.form == CircleForm::Eleven;
@@ -327,7 +334,7 @@ impl RecordInterpreter {
                 "circle",
                 at,
                 "RAPID before the end of an arc: no control runs an arc at rapid",
-                "program a feed for the arc",
+                "delete that RAPID: the arc then runs at the feed of the FEDRAT before it",
             ));
         }
         let start = self.path.position("CIRCLE", at)?;
@@ -392,7 +399,7 @@ impl RecordInterpreter {
                 "NURBS",
                 Span::WHOLE,
                 "RAPID before a curve: it needs a feed",
-                "program a feed for the curve",
+                "delete that RAPID: the curve then runs at the feed of the FEDRAT before it",
             ));
         }
         let start = self.path.position("NURBS", Span::WHOLE)?;

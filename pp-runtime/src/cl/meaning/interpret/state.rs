@@ -7,12 +7,12 @@ use crate::cl::meaning::feed::feed_of;
 use crate::cl::meaning::frame::{FrameChange, StatedFrame};
 use crate::cl::meaning::tool_numbers;
 use crate::cl::record::{
-    AxisPlane, CoordinateRecord, CutterRecord, FrameRecord, MachineRecord, ToolCallRecord, ToolRecord,
+    AxisPlane, CoordinateRecord, CutterRecord, FrameBase, FrameRecord, MachineRecord, ToolCallRecord, ToolRecord,
 };
 use crate::cl::text::{ClFault, Span};
 use crate::program::{
-    Compensation, CutterSide, Dwell, Event, Interruption, Location, MachineFunction, NewStart, ReferenceGeometry,
-    TextKind, Units,
+    Compensation, Coolant, CutterSide, Dwell, Event, Interruption, Location, MachineFunction, NewStart,
+    ReferenceGeometry, TextKind, Units,
 };
 
 /// Longest dwell that is not warned of, seconds.
@@ -75,7 +75,8 @@ impl RecordInterpreter {
                 "TRANS",
                 at,
                 "TRANS of Creo is refused: it belongs to output in the frame of each sequence, which the file does not state",
-                "if its numbers are to be added to all points after it: `[cl] trans = \"add\"`; if not, delete this line",
+                "if its numbers are to be added to all points after it: `[cl] trans = \"add\"`; else output the points in the machine \
+                 coordinate system, without TRANS: parameters COORDINATE_OUTPUT and CL_DATA_MODE of Creo",
             ));
         }
         let by = self.in_millimetres(by)?;
@@ -83,9 +84,12 @@ impl RecordInterpreter {
         Ok(())
     }
 
-    /// MSYS, Creo's CSYS comment, CATIA's matrix.
+    /// MSYS, Creo's CSYS comment, CATIA's matrix, MCS, MCSYS.
     fn take_frame(&mut self, record: &FrameRecord, here: Location) -> Result<(), ClFault> {
         let frame = self.stated_frame(record, here)?;
+        if record.base != FrameBase::Model {
+            self.begin_with_workpiece_frame(record, &frame, here)?;
+        }
         let (options, dialect) = ((self.options.frames, &*self.options.set_ups), self.dialect());
         match self.coordinates.take_frame(frame, record.at, options, dialect)? {
             FrameChange::None => {}
@@ -95,6 +99,33 @@ impl RecordInterpreter {
                 self.emit(here, Event::NewStart(NewStart::SafeSequence));
             }
             FrameChange::SetUp(number) => self.change_set_up(number, here),
+        }
+        Ok(())
+    }
+
+    /// A frame that is stated in the workpiece frame: that one is the first of the file, whichever is stated first.
+    fn begin_with_workpiece_frame(
+        &mut self,
+        record: &FrameRecord,
+        frame: &StatedFrame,
+        here: Location,
+    ) -> Result<(), ClFault> {
+        let workpiece = self.stated_frame(&FrameRecord::of_workpiece(record.at), here)?;
+        if frame.is_same(&workpiece) {
+            return Ok(());
+        }
+        if record.base == FrameBase::WorkpieceOrView && self.dialect() != Dialect::Autodesk {
+            return Err(ClFault::new(
+                "MCS",
+                record.at,
+                "MCS states a frame, and whether the points after it are in that frame depends on the system that wrote it",
+                "if \"CAMplete APT\" or \"MANUSnc APT\" of Autodesk wrote the file, add `--dialect autodesk`; in Surfcam write all tool \
+                 paths in one view, without this record",
+            ));
+        }
+        if self.coordinates.workpiece().frame().is_none() {
+            let (options, dialect) = ((self.options.frames, &*self.options.set_ups), self.dialect());
+            self.coordinates.take_frame(workpiece, record.at, options, dialect)?;
         }
         Ok(())
     }
@@ -151,6 +182,7 @@ impl RecordInterpreter {
                 self.describe_last(cutter, here);
             }
             ToolRecord::LengthOffset { register, at } => self.tool.set_length_offset(*register, *at)?,
+            ToolRecord::OffsetOf { number, register } => self.tool.set_offset_of(*number, *register),
         }
         Ok(())
     }
@@ -203,6 +235,7 @@ impl RecordInterpreter {
         };
         self.emit_held_tool();
         self.begin_operation();
+        self.coolant_kind_is_on = false;
         self.tool.call(tool, length, here);
         Ok(())
     }
@@ -216,7 +249,12 @@ impl RecordInterpreter {
             }
             MachineRecord::InverseTime(on) => self.inverse_time |= on,
             MachineRecord::Spindle(spindle) => self.emit(here, Event::Function(MachineFunction::Spindle(spindle))),
-            MachineRecord::Coolant(coolant) => self.emit(here, Event::Function(MachineFunction::Coolant(coolant))),
+            // ON after a kind that is on changes nothing: *Mori APT* writes both.
+            MachineRecord::Coolant(Coolant::On) if self.coolant_kind_is_on => {}
+            MachineRecord::Coolant(coolant) => {
+                self.coolant_kind_is_on = !matches!(coolant, Coolant::On | Coolant::Off);
+                self.emit(here, Event::Function(MachineFunction::Coolant(coolant)));
+            }
             MachineRecord::CoolantAt { kind, pressure, at } => {
                 self.events.warn(ClFault::new(
                     "coolant pressure",
