@@ -314,6 +314,8 @@ impl RecordInterpreter {
     fn emit_held_tool(&mut self) {
         if let Some(((here, tool), taken)) = self.tool.take_held(&self.options) {
             self.refuse(taken);
+            let name = self.tool.take_name();
+            self.refuse(name.map_or(Ok(()), Err));
             self.events.push(here, QueuedEvent::Plain(Event::NewStart(NewStart::Tool(tool))));
         }
     }
@@ -370,9 +372,9 @@ impl RecordInterpreter {
         match record {
             ProgramRecord::PartName(text) => self.emit_text(here, TextUse::Text(TextKind::Name), text),
             ProgramRecord::MachineName(text) => self.emit_text(here, TextUse::Text(TextKind::MachineName), text),
-            ProgramRecord::ToolPath(name) => {
+            ProgramRecord::ToolPath { name, tool } => {
                 self.begin_operation();
-                self.tool.end_operation();
+                self.tool.begin_operation(*tool, here);
                 if let Some(number) =
                     self.coordinates.begin_operation(decoded(name.bytes).as_bytes(), &self.options.set_ups)
                 {

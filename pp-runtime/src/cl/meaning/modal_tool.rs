@@ -26,6 +26,8 @@ pub(crate) struct ModalTool {
     next_cutter: Option<CutterAt>,
     /// Length offset registers of tools by number, where TOOLNO states them.
     offsets: BTreeMap<u32, u32>,
+    /// Name that the operation has for its tool, until that is called or cuts.
+    named: Option<(String, Location)>,
     /// No motion has come since that cutter was described.
     next_is_new: bool,
     /// Call that is held, because its cutter may follow.
@@ -111,9 +113,16 @@ impl ModalTool {
         self.table.take_cutter(self.last.as_mut(), (cutter, here), given(options, number))
     }
 
-    /// End of an operation: a cutter that has not cut belongs to it and is dropped.
-    pub(crate) fn end_operation(&mut self) {
+    /// Another operation begins, for a tool of this name: a cutter that has not cut belongs to the one before and is dropped.
+    pub(crate) fn begin_operation(&mut self, tool: Option<&[u8]>, here: Location) {
         self.next_cutter = None;
+        self.named = tool.map(|name| (String::from_utf8_lossy(name).into_owned(), here));
+    }
+
+    /// Takes the name that the operation has for the tool in the spindle; a remark if it had another one before.
+    pub(crate) fn take_name(&mut self) -> Option<Contradiction> {
+        let (name, here) = self.named.take()?;
+        self.table.take_name(self.last?.number, name, here)
     }
 
     fn note_size(&mut self, cutter: CutterRecord, here: Location) {

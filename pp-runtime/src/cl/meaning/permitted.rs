@@ -100,7 +100,7 @@ impl Permitted {
     fn of_program(record: &ProgramRecord<'_>) -> Permitted {
         match record {
             ProgramRecord::Message(_) | ProgramRecord::BlockSkip { .. } => Self::WITHIN_ARC,
-            ProgramRecord::ToolPath(_) | ProgramRecord::Insert(_) | ProgramRecord::Code { .. } => Self::ALONE,
+            ProgramRecord::ToolPath { .. } | ProgramRecord::Insert(_) | ProgramRecord::Code { .. } => Self::ALONE,
             ProgramRecord::Stop | ProgramRecord::OptionalStop => Self::ALONE,
             ProgramRecord::PartName(_) | ProgramRecord::MachineName(_) | ProgramRecord::EndOfPath => Self::ORDINARY,
             ProgramRecord::End | ProgramRecord::Fini | ProgramRecord::Rewind => Self::ORDINARY,

@@ -64,6 +64,8 @@ pub(crate) type CutterAt = (CutterRecord, Location);
 pub(crate) struct ToolTable {
     /// By tool number, none for what cuts without a call, and by register.
     rows: BTreeMap<(Option<u32>, u32), Row>,
+    /// Names by tool number, with the line of the first and whether another one has been remarked on.
+    names: BTreeMap<u32, (String, u64, bool)>,
     /// Register of the last call of each tool that had one.
     registers: BTreeMap<u32, (u32, Place)>,
 }
@@ -124,6 +126,17 @@ impl ToolTable {
             (call.diameter_mm, call.corner_radius_mm) = size(row);
         }
         Ok(())
+    }
+
+    /// Takes the name of a tool; a remark if it has another one.
+    pub(crate) fn take_name(&mut self, number: u32, name: String, here: Location) -> Option<Contradiction> {
+        let (known, line, remarked) = self.names.entry(number).or_insert((name.clone(), here.line, false));
+        if *known == name || std::mem::replace(remarked, true) {
+            return None;
+        }
+        let text = format!("tool {number} is called {name} in line {} and {known} in line {line}", here.line);
+        let help = "correct if it is one tool; two tools need two numbers";
+        Some((here, ClFault::new("names of a tool", Span::WHOLE, text, help).warning()))
     }
 
     fn row(&mut self, number: Option<u32>, register: u32, given: Option<&StatedTool>) -> &mut Row {

@@ -15,7 +15,12 @@ pub enum ProgramRecord<'a> {
     /// `MACHIN/name,n[,..]`: the name.
     MachineName(Text<'a>),
     /// `TOOL PATH/name,TOOL,toolname`, `OPNAME/'name'`: the name.
-    ToolPath(Text<'a>),
+    ToolPath {
+        /// Name of the operation.
+        name: Text<'a>,
+        /// Name of the tool, where the record states one.
+        tool: Option<&'a [u8]>,
+    },
     /// `END-OF-PATH`.
     EndOfPath,
     /// `PPRINT text`.
@@ -52,7 +57,9 @@ impl ProgramRecord<'_> {
     /// Whether the record takes the rest of its statement as text.
     pub(crate) fn takes_anything(&self) -> bool {
         match self {
-            Self::PartName(_) | Self::MachineName(_) | Self::ToolPath(_) | Self::Message(_) | Self::Insert(_) => true,
+            Self::PartName(_) | Self::MachineName(_) | Self::ToolPath { .. } | Self::Message(_) | Self::Insert(_) => {
+                true
+            }
             Self::Code { .. } | Self::OptionalStop | Self::Stop | Self::BlockSkip { .. } => false,
             Self::EndOfPath | Self::End | Self::Fini | Self::Rewind => false,
         }
@@ -72,12 +79,13 @@ pub(crate) fn machine_name<'a>(args: &mut Args<'a>) -> Result<Record<'a>, ClFaul
 /// see [`major_word`](super::parse::major_word).
 pub(crate) fn tool_path<'a>(args: &mut Args<'a>) -> Result<ProgramRecord<'a>, ClFault> {
     const TOOL: &[u8] = b",TOOL,";
-    let mut name = Text::rest(args);
+    let (mut name, mut tool) = (Text::rest(args), None);
     if let Some(length) = name.bytes.windows(TOOL.len()).rposition(|bytes| bytes.eq_ignore_ascii_case(TOOL)) {
+        tool = Some(name.bytes[length + TOOL.len()..].trim_ascii());
         name.bytes = &name.bytes[..length];
         name.at.end = name.at.start + length;
     }
-    Ok(ProgramRecord::ToolPath(name))
+    Ok(ProgramRecord::ToolPath { name, tool: tool.filter(|tool| !tool.eq_ignore_ascii_case(b"NONE")) })
 }
 
 /// AUXFUN (letter `M`) and PREFUN (letter `G`).
@@ -119,7 +127,7 @@ pub(crate) fn mode(args: &mut Args<'_>, permitted: &[&str]) -> Result<(), ClFaul
 
 /// OPNAME: the name of the operation that begins (script of *Mori APT*).
 pub(crate) fn operation_name<'a>(args: &mut Args<'a>) -> ProgramRecord<'a> {
-    ProgramRecord::ToolPath(Text::rest(args))
+    ProgramRecord::ToolPath { name: Text::rest(args), tool: None }
 }
 
 impl Display for ProgramRecord<'_> {
@@ -127,7 +135,9 @@ impl Display for ProgramRecord<'_> {
         match self {
             Self::PartName(text) => write!(out, "PARTNO {text}"),
             Self::MachineName(text) => write!(out, "MACHIN/{text}"),
-            Self::ToolPath(text) => write!(out, "TOOL PATH/{text},TOOL,NONE"),
+            Self::ToolPath { name, tool } => {
+                write!(out, "TOOL PATH/{name},TOOL,{}", String::from_utf8_lossy(tool.unwrap_or(b"NONE")))
+            }
             Self::EndOfPath => out.write_str("END-OF-PATH"),
             Self::Message(text) => write!(out, "PPRINT {text}"),
             Self::Insert(text) => write!(out, "INSERT {text}"),

@@ -262,7 +262,7 @@ fn states() -> BoxedStrategy<Record<'static>> {
         text().prop_map(|value| Record::Program(ProgramRecord::PartName(value))),
         text().prop_map(|value| Record::Program(ProgramRecord::Message(value))),
         text().prop_map(|value| Record::Program(ProgramRecord::Insert(value))),
-        text().prop_map(|value| Record::Program(ProgramRecord::ToolPath(value))),
+        text().prop_map(|value| Record::Program(ProgramRecord::ToolPath { name: value, tool: None })),
         Just(Record::Program(ProgramRecord::MachineName(Text { bytes: b"UNCX01", at: at() }))),
         tool().prop_map(|value| Record::Tool(ToolRecord::Call(value))),
         (0..1000_u32).prop_map(|value| Record::Tool(ToolRecord::Preselect(value))),
@@ -336,7 +336,7 @@ proptest! {
         // Blanks around slashes and commas and small letters change nothing but texts and names.
         let is_text = matches!(record, Record::Program(
             ProgramRecord::PartName(_) | ProgramRecord::Message(_) | ProgramRecord::Insert(_)
-            | ProgramRecord::ToolPath(_) | ProgramRecord::MachineName(_)
+            | ProgramRecord::ToolPath { .. } | ProgramRecord::MachineName(_)
         ));
         let is_list = matches!(record, Record::Nurbs(NurbsRecord::Knots(_)) | Record::Motion(MotionRecord::Points(_)));
         if !is_text && !is_list {

@@ -46,6 +46,15 @@ fn a_cutter_without_a_call_is_that_of_the_tool_in_the_spindle() {
 }
 
 #[test]
+fn a_tool_with_two_names_is_remarked_on_once() {
+    let operation = |name: &str| format!("TOOL PATH/A,TOOL,{name}\nLOAD/TOOL,1\nGOTO/0,0,0\n");
+    let found = read_from(["M10", "M10", "D8", "D7"].map(operation).concat().as_bytes(), MM).diagnostics;
+    let [remark] = &found[..] else { panic!("{found:?}") };
+    assert_eq!((remark.severity, remark.location.line), (Severity::Warning, 7));
+    assert_eq!(remark.text, "tool 1 is called D8 in line 7 and M10 in line 1");
+}
+
+#[test]
 fn a_tool_with_two_registers_has_two_rows() {
     let text = "LOADTL/5,LENGTH,100,ADJUST,5\nGOTO/0,0,0\nLOADTL/5,LENGTH,94,ADJUST,25\nGOTO/0,0,0\nLOADTL/5,ADJUST,5\nGOTO/0,0,0\n";
     let found = events_without_places(text, MM);
