@@ -1,7 +1,7 @@
 //! A setting fills what the CL data leaves out, and never replaces what it states: every key of the configuration is in a list here.
 
 use machines::SpinnerU5620;
-use pp_runtime::cli::{self, Streams};
+use pp_runtime::cli::{self, Status, Streams};
 use pp_runtime::config::starting_point;
 use pp_runtime::diag::Severity;
 use pp_runtime::post::PostError;
@@ -258,7 +258,7 @@ fn every_key_is_in_a_list() {
     let arguments: Vec<_> = ["spinner", "config", "--schema"].iter().map(Into::into).collect();
     let (mut output, mut errors) = (Vec::new(), Vec::new());
     let streams = Streams { input: &mut &b""[..], output: &mut output, errors: &mut errors, terminal: false };
-    cli::run_with::<SpinnerU5620>(&arguments, streams);
+    assert_eq!(cli::run_with::<SpinnerU5620>(&arguments, streams), Status::Done);
     let schema: Value = serde_json::from_slice(&output).expect("JSON");
     let mut all = Vec::new();
     keys("", &schema, &mut all);

@@ -13,7 +13,7 @@
 //! without RAPTO the feed begins there.
 
 use crate::cl::dialect::Dialect;
-use crate::cl::record::{ClCycleKind, CycleCall, FeedUnit, Return, word_of};
+use crate::cl::record::{ClCycleKind, CycleCall, FeedUnit, Return, ThreadPitch, word_of};
 use crate::cl::text::{ClFault, Span};
 use crate::kinematics::{Pose, math};
 use crate::nalgebra::Point3;
@@ -174,7 +174,7 @@ pub(crate) fn with_names(cycle: &CycleCall, args: Option<&[CycleArg]>, dialect: 
         return Ok(cycle);
     }
     let of_autodesk = (dialect == Dialect::Autodesk).then_some(&OF_AUTODESK[..]);
-    let Some(args) = args.or(of_autodesk).filter(|args| args.len() == cycle.positionals) else {
+    let Some(args) = args.or(of_autodesk).filter(|args| args.len() == usize::from(cycle.positionals)) else {
         return Err(without_words(&cycle, dialect));
     };
     for (arg, value) in args.iter().zip(cycle.positional) {
@@ -182,8 +182,8 @@ pub(crate) fn with_names(cycle: &CycleCall, args: Option<&[CycleArg]>, dialect: 
             CycleArg::Depth => cycle.fedto.or(cycle.depth.replace(value)).is_some(),
             CycleArg::Clearance => cycle.clear.replace(value).is_some(),
             CycleArg::Step => cycle.step.replace(value).is_some(),
-            CycleArg::Dwell => cycle.dwell_rev.or(cycle.dwell_s.replace(value)).is_some(),
-            CycleArg::Pitch => cycle.threads_per_inch.or(cycle.pitch.replace(value)).is_some(),
+            CycleArg::Dwell => cycle.dwell.replace(Dwell::Seconds(value)).is_some(),
+            CycleArg::Pitch => cycle.pitch.replace(ThreadPitch::PerRevolution(value)).is_some(),
             CycleArg::Return => cycle.back_to.replace(Return::Level(value)).is_some(),
             CycleArg::Feed => cycle.feed.replace((value, FeedUnit::PerMinute)).is_some(),
         };
@@ -217,7 +217,7 @@ fn without_words(cycle: &CycleCall, dialect: Dialect) -> ClFault {
         2 => "\"depth\", \"clearance\"",
         _ => "\"depth\", \"clearance\", ..",
     };
-    let post = if cycle.positionals == OF_AUTODESK.len() && dialect == Dialect::Generic {
+    let post = if usize::from(cycle.positionals) == OF_AUTODESK.len() && dialect == Dialect::Generic {
         "if \"Common ISO 4343 APT\" of Autodesk wrote it, add `--dialect autodesk`; else "
     } else {
         ""
@@ -254,20 +254,12 @@ pub(crate) fn define(cycle: &CycleCall, context: &CycleContext) -> Result<HoleDe
         _ => context.feed,
     };
     let drilling = gaps.map_or(drilling, |gaps| Drilling::Through { gaps });
-    let dwell = match (cycle.dwell_s, cycle.dwell_rev) {
-        (Some(_), Some(_)) => {
-            return Err(fault(
-                cycle.at,
-                "this cycle has a dwell in seconds and one in revolutions",
-                "program one DWELL",
-            ));
-        }
-        (Some(value), None) | (None, Some(value)) if value < 0.0 => {
+    let dwell = match cycle.dwell {
+        Some(Dwell::Seconds(value) | Dwell::Revolutions(value)) if value < 0.0 => {
             return Err(fault(cycle.at, "DWELL must not be negative", "write DWELL,seconds"));
         }
-        (Some(seconds), None) => (seconds > 0.0).then_some(Dwell::Seconds(seconds)),
-        (None, Some(turns)) => (turns > 0.0).then_some(Dwell::Revolutions(turns)),
-        (None, None) => None,
+        Some(Dwell::Seconds(value) | Dwell::Revolutions(value)) if value > 0.0 => cycle.dwell,
+        _ => None,
     };
     Ok(HoleDefinition { depth_mm: depth, clearance_mm: clearance, return_level: back, drilling, feed, dwell, plane })
 }
@@ -518,27 +510,23 @@ fn back(cycle: &CycleCall, context: &CycleContext, clearance: f64) -> Result<Ret
 fn pitch(cycle: &CycleCall, feed: Option<Feed>, unit_mm: f64) -> Result<Option<f64>, ClFault> {
     /// Largest relative difference of two pitches that are the same by their digits.
     const SAME_PITCH: f64 = 1e-3;
-    let per_inch = match cycle.threads_per_inch {
-        Some(count) if count <= 0.0 => {
+    let stated = match cycle.pitch {
+        Some(ThreadPitch::PerRevolution(pitch)) => Some(pitch * unit_mm),
+        Some(ThreadPitch::ThreadsPerInch(count)) if count <= 0.0 => {
             return Err(fault(cycle.at, "TPI must be above 0", "write the threads per inch: TPI,20"));
         }
         // An inch, whatever the unit of the file.
-        count => count.map(|count| Units::Inches.in_mm() / count),
+        Some(ThreadPitch::ThreadsPerInch(count)) => Some(Units::Inches.in_mm() / count),
+        None => None,
     };
-    let of_feed = match feed {
-        Some(Feed::PerRevolution(pitch)) => Some(pitch),
-        _ => None,
-    };
-    let stated = [of_feed, cycle.pitch.map(|pitch| pitch * unit_mm), per_inch];
-    let mut stated = stated.into_iter().flatten();
-    let first = stated.next();
-    match first.and_then(|first| stated.find(|other| (other / first - 1.0).abs() > SAME_PITCH)) {
-        None => Ok(first),
-        Some(_) => Err(fault(
+    match (feed, stated) {
+        (Some(Feed::PerRevolution(feed)), Some(pitch)) if (pitch / feed - 1.0).abs() > SAME_PITCH => Err(fault(
             cycle.at,
             "this cycle states two pitches",
             "program one of PITCH, TPI and a feed per revolution (MMPR, IPR)",
         )),
+        (Some(Feed::PerRevolution(feed)), _) => Ok(Some(feed)),
+        (_, stated) => Ok(stated),
     }
 }
 
@@ -562,7 +550,7 @@ fn drilling(cycle: &CycleCall, feed: Option<Feed>, unit_mm: f64) -> Result<Drill
             "write BORE with ORIENT, or this cycle without it",
         ));
     }
-    if cycle.pitch.or(cycle.threads_per_inch).is_some() && cycle.kind != ClCycleKind::Tap {
+    if cycle.pitch.is_some() && cycle.kind != ClCycleKind::Tap {
         return Err(fault(
             cycle.at,
             format!("PITCH and TPI are those of a thread, which {} does not make", cycle.kind.word()),

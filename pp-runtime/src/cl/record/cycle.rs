@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 use super::feed::FeedUnit;
 use super::values::{ClNumber, word_of};
 use crate::cl::text::{Arg, Args, ClFault, Span, quoted};
-use crate::program::MOST_GAPS;
+use crate::program::{Dwell, MOST_GAPS};
 
 /// Kind of CYCLE: the word after `CYCLE/`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -68,11 +68,18 @@ pub enum Return {
     Level(f64),
 }
 
-/// Largest number of numbers without a word in a CYCLE.
-pub const MOST_POSITIONAL: usize = 6;
+/// Largest number of numbers without a word in a CYCLE. They are as many as the depths of THRU after the first, two for each
+/// plate after the first.
+pub const MOST_POSITIONAL: usize = 2 * MOST_GAPS;
 
-/// Largest number of depths after the first of THRU: two for each plate after the first.
-pub const MOST_FURTHER_DEPTHS: usize = 2 * MOST_GAPS;
+/// Pitch of a thread as written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ThreadPitch {
+    /// PITCH: units of the file per revolution.
+    PerRevolution(f64),
+    /// TPI: threads per inch.
+    ThreadsPerInch(f64),
+}
 
 /// The words of a CYCLE as written, lengths in units of the file; their meaning depends on the CAM system.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,10 +90,6 @@ pub struct CycleCall {
     pub fedto: Option<f64>,
     /// DEPTH: depth, positive into the part.
     pub depth: Option<f64>,
-    /// Numbers directly after that of DEPTH in THRU: top and bottom of each further plate.
-    pub further_depths: [f64; MOST_FURTHER_DEPTHS],
-    /// Count of these numbers.
-    pub further_depth_count: usize,
     /// DIAMET: diameter of a countersink at the top of the hole.
     pub diameter: Option<f64>,
     /// TLANGL: included angle of the tool that makes it, degrees.
@@ -103,22 +106,21 @@ pub struct CycleCall {
     pub step: Option<f64>,
     /// 1STPECK: depth of the first step.
     pub first_step: Option<f64>,
-    /// DWELL,n: dwell in seconds.
-    pub dwell_s: Option<f64>,
-    /// DWELL,REV,n or REV,n: dwell in revolutions of the spindle.
-    pub dwell_rev: Option<f64>,
+    /// `DWELL,n`; `DWELL,REV,n` or `REV,n`.
+    pub dwell: Option<Dwell>,
     /// BACK,g of BRKCHP: retract after each step.
     pub back: Option<f64>,
     /// ORIENT,a: angle at which the spindle stops.
     pub orient_deg: Option<f64>,
-    /// PITCH: pitch of a thread, units of the file per revolution.
-    pub pitch: Option<f64>,
-    /// TPI: threads per inch.
-    pub threads_per_inch: Option<f64>,
-    /// Numbers without a word, in order.
+    /// Pitch of a thread.
+    pub pitch: Option<ThreadPitch>,
+    /// Numbers without a word, in order, or further depths.
     pub positional: [f64; MOST_POSITIONAL],
     /// Count of the numbers without a word.
-    pub positionals: usize,
+    pub positionals: u8,
+    /// Count of the numbers directly after that of DEPTH in THRU: top and bottom of each further plate. A record has no other numbers
+    /// without a word then.
+    pub further_depths: u8,
     /// Place of the arguments, for messages.
     pub at: Span,
     /// Place of the depth, for messages.
@@ -133,8 +135,6 @@ impl CycleCall {
             kind,
             fedto: None,
             depth: None,
-            further_depths: [0.0; MOST_FURTHER_DEPTHS],
-            further_depth_count: 0,
             diameter: None,
             tool_angle_deg: None,
             feed: None,
@@ -143,14 +143,13 @@ impl CycleCall {
             back_to: None,
             step: None,
             first_step: None,
-            dwell_s: None,
-            dwell_rev: None,
+            dwell: None,
             back: None,
             orient_deg: None,
             pitch: None,
-            threads_per_inch: None,
             positional: [0.0; MOST_POSITIONAL],
             positionals: 0,
+            further_depths: 0,
             at,
             depth_at: at,
         }
@@ -226,20 +225,16 @@ pub(crate) fn cycle(args: &mut Args<'_>) -> Result<CycleRecord, ClFault> {
 /// Field of a cycle that holds the number after a word.
 type NumberOf = fn(&mut CycleCall) -> &mut Option<f64>;
 
-/// Words that are followed by one number. PITCH: script of *CAMplete APT*; TPI, DIAMET, TLANGL: *CL Output for Holemaking
-/// Cycles* of PTC.
-const NUMBER_AFTER: [(&str, NumberOf); 13] = [
+/// Words that are followed by one number. DIAMET, TLANGL: *CL Output for Holemaking Cycles* of PTC.
+const NUMBER_AFTER: [(&str, NumberOf); 10] = [
     ("1STPECK", |cycle| &mut cycle.first_step),
     ("RAPTO", |cycle| &mut cycle.rapto),
     ("CLEAR", |cycle| &mut cycle.clear),
     ("STEP", |cycle| &mut cycle.step),
     ("INCR", |cycle| &mut cycle.step),
     ("SUBPECK", |cycle| &mut cycle.step),
-    ("REV", |cycle| &mut cycle.dwell_rev),
     ("BACK", |cycle| &mut cycle.back),
     ("ORIENT", |cycle| &mut cycle.orient_deg),
-    ("PITCH", |cycle| &mut cycle.pitch),
-    ("TPI", |cycle| &mut cycle.threads_per_inch),
     ("DIAMET", |cycle| &mut cycle.diameter),
     ("TLANGL", |cycle| &mut cycle.tool_angle_deg),
 ];
@@ -247,7 +242,7 @@ const NUMBER_AFTER: [(&str, NumberOf); 13] = [
 impl CycleCall {
     /// Depths after the first, in order.
     pub(crate) fn further_depths(&self) -> &[f64] {
-        &self.further_depths[..self.further_depth_count.min(MOST_FURTHER_DEPTHS)]
+        &self.positional[..usize::from(self.further_depths).min(MOST_POSITIONAL)]
     }
 
     /// This cycle with the words of `change` in place of its own.
@@ -257,8 +252,7 @@ impl CycleCall {
             kind: self.kind,
             fedto: if depth_is_changed { change.fedto } else { self.fedto },
             depth: if depth_is_changed { change.depth } else { self.depth },
-            further_depths: self.further_depths,
-            further_depth_count: if depth_is_changed { 0 } else { self.further_depth_count },
+            further_depths: if depth_is_changed { 0 } else { self.further_depths },
             diameter: change.diameter.or(self.diameter),
             tool_angle_deg: change.tool_angle_deg.or(self.tool_angle_deg),
             feed: change.feed.or(self.feed),
@@ -267,12 +261,10 @@ impl CycleCall {
             back_to: change.back_to.or(self.back_to),
             step: change.step.or(self.step),
             first_step: change.first_step.or(self.first_step),
-            dwell_s: change.dwell_s.or(self.dwell_s.filter(|_| change.dwell_rev.is_none())),
-            dwell_rev: change.dwell_rev.or(self.dwell_rev.filter(|_| change.dwell_s.is_none())),
+            dwell: change.dwell.or(self.dwell),
             back: change.back.or(self.back),
             orient_deg: change.orient_deg.or(self.orient_deg),
-            pitch: change.pitch.or(self.pitch.filter(|_| change.threads_per_inch.is_none())),
-            threads_per_inch: change.threads_per_inch.or(self.threads_per_inch.filter(|_| change.pitch.is_none())),
+            pitch: change.pitch.or(self.pitch),
             positional: self.positional,
             positionals: self.positionals,
             at: change.at,
@@ -298,16 +290,26 @@ impl CycleCall {
         if arg.is("RTRCTO") || arg.is("RETURN") {
             return self.take_return(arg, args);
         }
-        if arg.is("DWELL") {
-            let in_revolutions = follows(args, "REV")?;
-            return put(if in_revolutions { &mut self.dwell_rev } else { &mut self.dwell_s }, arg, args);
+        if arg.is("DWELL") || arg.is("REV") {
+            let in_revolutions = arg.is("REV") || follows(args, "REV")?;
+            let value = args.number_after(arg)?.number()?;
+            let dwell = if in_revolutions { Dwell::Revolutions(value) } else { Dwell::Seconds(value) };
+            return one_of_two(self.dwell.replace(dwell).is_none(), arg, "dwells", "DWELL and REV");
+        }
+        // PITCH: script of *CAMplete APT*; TPI: *CL Output for Holemaking Cycles* of PTC.
+        if arg.is("PITCH") || arg.is("TPI") {
+            let value = args.number_after(arg)?.number()?;
+            let pitch =
+                if arg.is("TPI") { ThreadPitch::ThreadsPerInch(value) } else { ThreadPitch::PerRevolution(value) };
+            return one_of_two(self.pitch.replace(pitch).is_none(), arg, "pitches", "PITCH and TPI");
         }
         Err(args.not_understood(arg))
     }
 
     fn take_number(&mut self, arg: Arg<'_>, args: &Args<'_>) -> Result<(), ClFault> {
         let value = arg.number()?;
-        let Some(place) = self.positional.get_mut(self.positionals) else {
+        let place = self.positional.get_mut(usize::from(self.positionals));
+        let Some(place) = place.filter(|_| self.further_depths == 0) else {
             return Err(args.not_understood(arg));
         };
         if self.positionals == 0 {
@@ -332,13 +334,16 @@ impl CycleCall {
         let mut ahead = args.clone();
         while let Some(arg) = ahead.next()?.filter(|arg| arg.looks_numeric()) {
             *args = ahead.clone();
+            if self.positionals > 0 {
+                return Err(args.not_understood(arg));
+            }
             let value = arg.number()?;
-            let Some(place) = self.further_depths.get_mut(self.further_depth_count) else {
+            let Some(place) = self.positional.get_mut(usize::from(self.further_depths)) else {
                 let text = format!("THRU with more than {} plates", MOST_GAPS + 1);
                 return Err(ClFault::new("CYCLE", arg.at, text, "drill this hole in two cycles"));
             };
             *place = value;
-            self.further_depth_count += 1;
+            self.further_depths += 1;
             self.depth_at.end = arg.at.end;
         }
         Ok(())
@@ -380,6 +385,15 @@ fn once(first: bool, word: Arg<'_>) -> Result<(), ClFault> {
     Err(ClFault::new("CYCLE", word.at, text, "program each word of a CYCLE once"))
 }
 
+/// Refuses the second of two words that state the same.
+fn one_of_two(first: bool, word: Arg<'_>, what: &str, words: &str) -> Result<(), ClFault> {
+    if first {
+        return Ok(());
+    }
+    let text = format!("this cycle states two {what}");
+    Err(ClFault::new("CYCLE", word.at, text, format!("program one of {words}, once")))
+}
+
 impl Display for CycleCall {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CYCLE/{}", self.kind.word())?;
@@ -390,27 +404,33 @@ impl Display for CycleCall {
 impl CycleCall {
     /// Writes all words after the first.
     fn write_words(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        for value in &self.positional[..self.positionals.min(self.positional.len())] {
+        for value in &self.positional[..usize::from(self.positionals).min(MOST_POSITIONAL)] {
             write!(out, ",{}", ClNumber(*value))?;
         }
         for (word, value) in [
             ("FEDTO", self.fedto),
-            ("PITCH", self.pitch),
-            ("TPI", self.threads_per_inch),
             ("DIAMET", self.diameter),
             ("TLANGL", self.tool_angle_deg),
             ("STEP", self.step),
             ("1STPECK", self.first_step),
             ("RAPTO", self.rapto),
             ("CLEAR", self.clear),
-            ("DWELL", self.dwell_s),
-            ("REV", self.dwell_rev),
             ("BACK", self.back),
             ("ORIENT", self.orient_deg),
         ] {
             if let Some(value) = value {
                 write!(out, ",{word},{}", ClNumber(value))?;
             }
+        }
+        match self.dwell {
+            Some(Dwell::Seconds(value)) => write!(out, ",DWELL,{}", ClNumber(value))?,
+            Some(Dwell::Revolutions(value)) => write!(out, ",REV,{}", ClNumber(value))?,
+            None => {}
+        }
+        match self.pitch {
+            Some(ThreadPitch::PerRevolution(value)) => write!(out, ",PITCH,{}", ClNumber(value))?,
+            Some(ThreadPitch::ThreadsPerInch(value)) => write!(out, ",TPI,{}", ClNumber(value))?,
+            None => {}
         }
         if let Some(depth) = self.depth {
             write!(out, ",DEPTH,{}", ClNumber(depth))?;

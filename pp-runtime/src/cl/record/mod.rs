@@ -36,7 +36,7 @@ mod words;
 
 pub use self::arc::{ArcRecord, CircleForm, CircleRecord, TangentArc};
 pub use self::coordinates::{CoordinateRecord, FrameBase, FrameRecord};
-pub use self::cycle::{ClCycleKind, CycleCall, CycleRecord, CycleState, MOST_FURTHER_DEPTHS, MOST_POSITIONAL, Return};
+pub use self::cycle::{ClCycleKind, CycleCall, CycleRecord, CycleState, MOST_POSITIONAL, Return, ThreadPitch};
 pub use self::feed::{FeedRecord, FeedUnit};
 pub use self::machine::MachineRecord;
 pub use self::motion::MotionRecord;

@@ -377,6 +377,9 @@ fn thru_of_creo_states_plates_from_the_top() {
         read("DEPTH,12,20,32,CLEAR,2,STEP,1").unwrap_err(),
         "this cycle has a word that does not belong to THRU"
     );
+    // Other numbers without a word have no place beside them.
+    assert_eq!(read("5,DEPTH,12,20,32,CLEAR,2").unwrap_err(), "CYCLE with `20` is not supported");
+    assert_eq!(read("DEPTH,12,20,32,CLEAR,2,5").unwrap_err(), "CYCLE with `5` is not supported");
     // Only the documentation of Creo states what they mean.
     let iso = ReadingOptions { dialect: Some(crate::cl::Dialect::Iso), ..mm() };
     let found = errors_with("GOTO/0,0,50\nCYCLE/THRU,DEPTH,12,20,32,CLEAR,2\nGOTO/1,0,0\n", iso);
@@ -405,6 +408,7 @@ fn threads_per_inch_and_a_pitch_state_the_thread() {
     let two = Err("this cycle states two pitches".to_owned());
     assert_eq!(read("MM", "TAP, DEPTH, 15, TPI, 20, MMPR, 1.25, CLEAR, 2"), two);
     assert_eq!(read("MM", "TAP, DEPTH, 15, TPI, 20, PITCH, 1.25, CLEAR, 2"), two);
+    assert_eq!(read("MM", "TAP, DEPTH, 15, TPI, 20, TPI, 20, CLEAR, 2"), two);
     assert_eq!(read("MM", "TAP, DEPTH, 15, TPI, 0, CLEAR, 2"), Err("TPI must be above 0".to_owned()));
     assert!(read("MM", "DRILL, DEPTH, 15, TPI, 20, CLEAR, 2").unwrap_err().contains("which DRILL does not make"));
 }

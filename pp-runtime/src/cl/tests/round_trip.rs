@@ -104,25 +104,22 @@ fn cycle() -> impl Strategy<Value = CycleCall> {
     let back_to =
         prop_oneof![Just(None), Just(Some(Return::Auto)), number().prop_map(|level| Some(Return::Level(level)))];
     let levels = (some(), any::<bool>(), some(), some(), some(), some());
-    let waits = (some(), some(), some(), some());
-    let threads = (some(), some(), some(), some(), prop::collection::vec(number(), 0..=MOST_FURTHER_DEPTHS));
+    let dwell = prop_oneof![number().prop_map(Dwell::Seconds), number().prop_map(Dwell::Revolutions)];
+    let pitch =
+        prop_oneof![number().prop_map(ThreadPitch::PerRevolution), number().prop_map(ThreadPitch::ThreadsPerInch)];
+    let others = (prop::option::of(dwell), some(), some(), prop::option::of(pitch), some(), some());
     let feed = prop::option::of((positive(), feed_unit()));
-    (kind, levels, waits, threads, back_to, feed, prop::collection::vec(number(), 0..=6)).prop_map(
-        |(kind, levels, waits, threads, back_to, feed, positional)| {
+    let numbers = (prop::collection::vec(number(), 0..=MOST_POSITIONAL), any::<bool>());
+    (kind, levels, others, back_to, feed, numbers).prop_map(
+        |(kind, levels, others, back_to, feed, (numbers, are_depths))| {
             let (depth, is_fedto, rapto, clear, step, first_step) = levels;
-            let (dwell, dwell_turns, back, orient) = waits;
             let mut cycle =
                 CycleCall { back_to, feed, rapto, clear, step, first_step, ..CycleCall::new(kind, Span::default()) };
-            (cycle.dwell_s, cycle.dwell_rev, cycle.back, cycle.orient_deg) = (dwell, dwell_turns, back, orient);
+            (cycle.dwell, cycle.back, cycle.orient_deg, cycle.pitch, cycle.diameter, cycle.tool_angle_deg) = others;
             *(if is_fedto { &mut cycle.fedto } else { &mut cycle.depth }) = depth;
-            let (pitch, tpi, diameter, angle, further) = threads;
-            (cycle.pitch, cycle.threads_per_inch, cycle.diameter, cycle.tool_angle_deg) = (pitch, tpi, diameter, angle);
-            if kind == ClCycleKind::Thru && cycle.depth.is_some() {
-                cycle.further_depth_count = further.len();
-                cycle.further_depths[..further.len()].copy_from_slice(&further);
-            }
-            cycle.positionals = positional.len();
-            cycle.positional[..positional.len()].copy_from_slice(&positional);
+            let are_depths = are_depths && kind == ClCycleKind::Thru && cycle.depth.is_some();
+            *(if are_depths { &mut cycle.further_depths } else { &mut cycle.positionals }) = numbers.len() as u8;
+            cycle.positional[..numbers.len()].copy_from_slice(&numbers);
             cycle
         },
     )
@@ -146,7 +143,7 @@ fn subprogram_name() -> impl Strategy<Value = SubprogramName> {
 fn change() -> impl Strategy<Value = Record<'static>> {
     (cycle(), positive()).prop_map(|(mut words, rapto)| {
         (words.kind, words.positionals, words.positional) = (ClCycleKind::Drill, 0, [0.0; MOST_POSITIONAL]);
-        (words.further_depth_count, words.further_depths) = (0, [0.0; MOST_FURTHER_DEPTHS]);
+        words.further_depths = 0;
         words.rapto = Some(rapto);
         Record::Cycle(CycleRecord::Change(words))
     })
