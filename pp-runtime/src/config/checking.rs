@@ -6,7 +6,7 @@ use crate::check::policy::{
     Tolerances, WordPolicy,
 };
 use crate::check::read::{Effect, Family, OwnPlace, coolant};
-use crate::cl::ReadingOptions;
+use crate::cl::{ReadingOptions, StatedTool};
 use crate::control::{self, Control, LineEffect, Messages, RetractForm, Spellings};
 use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
 use crate::motion::{
@@ -60,6 +60,27 @@ impl Config {
         Ok(self.for_control(control).policy_of_check(machine, control, family, cl_units))
     }
 
+    /// How the CL data of a job is read. `cl_units`: its unit, where the job gives it.
+    pub(crate) fn reading(&self, cl_units: Option<Units>) -> ReadingOptions {
+        let tools = self.set_up.tools.iter().map(|(&number, given)| {
+            let tool = StatedTool {
+                diameter_mm: given.diameter_mm,
+                corner_radius_mm: given.corner_radius_mm,
+                length_mm: given.length_mm,
+                offset: given.offset,
+                path_diameter_mm: given.path_diameter_mm,
+                is_one: given.one_tool,
+            };
+            (number, tool)
+        });
+        ReadingOptions {
+            units: cl_units.or(self.cl_units),
+            tools: tools.collect(),
+            compensates_centre: self.motion.compensation.map(|path| path == CutterPath::Centre),
+            ..self.cl.clone()
+        }
+    }
+
     /// The policy, of a configuration that suits its control.
     fn policy_of_check(
         &self,
@@ -70,7 +91,7 @@ impl Config {
     ) -> CheckPolicy {
         CheckPolicy {
             family,
-            reading: ReadingOptions { units: cl_units.or(self.cl_units), ..self.cl.clone() },
+            reading: self.reading(cl_units),
             output_units: self.output_units,
             set_up: self.set_up.clone(),
             words: self.word_policy(),

@@ -2,14 +2,14 @@
 
 use toml::de::DeTable;
 
-use crate::cl::{SetUpBegins, StatedTool};
+use crate::cl::SetUpBegins;
 use crate::control::{CONTROLS, Control};
 use crate::diag::Diagnostic;
 use crate::keys::{KeyReader, KeyScope, KeyTable, Keys};
 use crate::kinematics::{AnyMachine, Machine};
 use crate::set_up::{LengthMode, along_axes};
 
-use super::{Config, CutterPath, Rapid, Units, starting_point};
+use super::{Config, Rapid, Units, starting_point};
 
 impl Config {
     /// Reads a configuration file for the machine `M` and a control, which has number formats of its own: the configuration with
@@ -56,19 +56,6 @@ impl Config {
         self.file_units_assumed = r.has_lengths() && units.is_none();
         let points = self.set_up.tools.iter().filter_map(|(&tool, given)| Some((tool, given.cl_point?)));
         self.cl.cl_point_of.extend(points);
-        let tools = self.set_up.tools.iter().map(|(&number, given)| {
-            let tool = StatedTool {
-                diameter_mm: given.diameter_mm,
-                corner_radius_mm: given.corner_radius_mm,
-                length_mm: given.length_mm,
-                offset: given.offset,
-                path_diameter_mm: given.path_diameter_mm,
-                is_one: given.one_tool,
-            };
-            (number, tool)
-        });
-        self.cl.tools.extend(tools);
-        self.cl.compensates_centre = self.motion.compensation.map(|path| path == CutterPath::Centre);
         let begins = self.set_up.set_ups.iter().map(|(&number, set_up)| SetUpBegins {
             number,
             frames: set_up.frames.clone(),

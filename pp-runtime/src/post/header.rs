@@ -5,7 +5,7 @@
 use std::f64::consts::TAU;
 use std::io;
 
-use crate::cl::{ArcVote, Dialect, FrameVote, Insert, StatedTool};
+use crate::cl::{ArcVote, Dialect, FrameVote, Insert};
 use crate::config::Config;
 use crate::control::{
     self, BlankWords, Control, CycleForm, Encoder, LengthGuard, LinearRapids, ProgramHeader, RetractForm,
@@ -328,14 +328,14 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
         let statements: Vec<&str> = config.cl.probes.iter().map(|probe| probe.statement()).collect();
         list.push(format!("statements of probes: {}", statements.join(" ")));
     }
-    let of_tool = |(number, tool): (&u32, &StatedTool)| match (tool.is_one, tool.path_diameter_mm) {
+    let of_tool = |(number, tool): (&u32, &GivenTool)| match (tool.one_tool, tool.path_diameter_mm) {
         (true, _) => {
             Some(format!("T{number} is one tool with the sizes of the configuration, whatever the CL data states"))
         }
         (false, Some(path)) => Some(format!("T{number} follows paths for a diameter of {path} mm on purpose")),
         (false, None) => None,
     };
-    list.extend(config.cl.tools.iter().filter_map(of_tool));
+    list.extend(config.set_up.tools.iter().filter_map(of_tool));
     if let Some(feed) = config.cl.default_feed_mm_per_min {
         list.push(format!("feed until the first FEDRAT: {feed} mm/min, as configured"));
     }

@@ -29,7 +29,7 @@ mod tests;
 use std::io::{self, Read, Seek, Write};
 use std::ops::ControlFlow;
 
-use crate::cl::{self, ClData, ClEvents, FromHere, ReadSeek};
+use crate::cl::{ClData, ClEvents, FromHere, ReadSeek};
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity, grouped};
@@ -483,8 +483,7 @@ impl ClText<'_> {
     /// The events from the start.
     fn events(&mut self) -> Result<ClEvents<'_>, PostError> {
         let config = self.job.config;
-        let options = cl::ReadingOptions { units: self.job.units.or(config.cl_units), ..config.cl.clone() };
-        self.data.events(options).map_err(PostError::Input)
+        self.data.events(config.reading(self.job.units)).map_err(PostError::Input)
     }
 }
 

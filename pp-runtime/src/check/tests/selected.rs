@@ -371,6 +371,7 @@ fn tools_are_called_by_their_names_where_the_control_can() {
     // The guard reads a row of the tool table by its number.
     let guarded = format!("{named}length_guard = true\ntools.1.length = 100\n")
         .replace("tools = { 1 = { name = \"MILL_D12\" }", "tools = { 1 = { name = \"MILL_D12\", length = 100 }")
+        .replace("2 = { name = \"MILL_D8\" }", "2 = { name = \"MILL_D8\", length = 90 }")
         .replace("tools.1.length = 100\n", "");
     assert!(refused::<Mill>("heidenhain", Mode::Axes, &guarded)[0].contains("length_guard"));
     posted_right::<Mill>("siemens", Mode::Axes, &guarded, &data);

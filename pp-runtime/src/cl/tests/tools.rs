@@ -63,6 +63,18 @@ fn a_tool_with_two_registers_has_two_rows() {
 }
 
 #[test]
+fn a_tool_that_is_called_again_keeps_length_and_register() {
+    let again = |call: &str| format!("LOADTL/1,LENGTH,120,ADJUST,5\nGOTO/0,0,0\n{call}\nGOTO/0,0,0\n");
+    let found = events_without_places(&again("LOADTL/1"), MM);
+    assert_eq!(found[0], found[2]);
+    let found = events_without_places(&again("LOADTL/1,ADJUST,1"), MM);
+    assert!(
+        found[2].contains("length_mm: None, length_offset: Some(1)"),
+        "another register has another length: {found:?}"
+    );
+}
+
+#[test]
 fn the_configuration_fills_what_is_absent_and_contradicts_nothing() {
     let text = cut("CUTTER/10,1", "LOADTL/1,LENGTH,100,ADJUST,3");
     let same = StatedTool {

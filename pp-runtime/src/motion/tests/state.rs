@@ -13,21 +13,6 @@ fn a_head_does_not_post_without_the_length_of_the_tool() {
 }
 
 #[test]
-fn a_head_refuses_two_lengths_and_a_table_only_warns() {
-    let mut config = config();
-    config.set_up.tools.insert(1, GivenTool { length_mm: Some(100.0), ..GivenTool::default() });
-    let call = |length| {
-        Event::NewStart(NewStart::Tool(ToolCall { number: 1, length_mm: Some(length), ..ToolCall::default() }))
-    };
-    let events = |length| [call(length), spindle(), feed([0.0; 3], UP), feed([0.0, 0.0, 60.0], UP)];
-    assert!(run::<Head>(&config, &events(100.02)).error().text.contains("100 mm long"));
-    assert_eq!(run::<Head>(&config, &events(100.009)).diagnostics, []);
-    let table = run::<Cb>(&config, &events(100.02));
-    assert_eq!(table.diagnostics.len(), 1);
-    assert_eq!(table.diagnostics[0].severity, Severity::Warning);
-}
-
-#[test]
 fn a_feed_motion_needs_tool_spindle_and_feed() {
     let text = |events: &[Event<'_>]| run::<Xyz>(&config(), events).error().text.clone();
     assert!(text(&[spindle(), feed([0.0; 3], UP)]).contains("before the first tool"));
@@ -157,18 +142,6 @@ fn a_rapid_below_everything_that_was_cut_is_remarked_on() {
 }
 
 #[test]
-fn a_tool_that_is_called_again_keeps_the_length_that_was_given_once() {
-    let call =
-        |length| Event::NewStart(NewStart::Tool(ToolCall { number: 1, length_mm: length, ..ToolCall::default() }));
-    let events = |again| {
-        let out = |x| feed([x, 0.0, 60.0], UP);
-        [call(Some(120.0)), spindle(), feed([0.0; 3], UP), out(0.0), call(again), feed([0.0; 3], UP), out(0.0)]
-    };
-    assert_eq!(run::<Head>(&config(), &events(None)).diagnostics, []);
-    assert!(run::<Head>(&config(), &events(Some(121.0))).error().text.contains("two lengths"));
-}
-
-#[test]
 fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
     let mut config = config();
     config.motion.rapids.transition = Transition::Direct;
@@ -241,17 +214,6 @@ fn the_program_is_the_same_each_time() {
         .chain((0..50).map(|i| feed([f64::from(i), 0.0, 0.0], cb(f64::from(i) * 7.0, 30.0))))
         .collect();
     assert_eq!(lines::<Cb>(&config(), &events), lines::<Cb>(&config(), &events));
-}
-
-#[test]
-fn a_tool_that_is_called_again_without_its_offset_register_keeps_it() {
-    let call =
-        |offset| Event::NewStart(NewStart::Tool(ToolCall { number: 1, length_offset: offset, ..ToolCall::default() }));
-    let cut = feed([0.0, 0.0, 0.0], UP);
-    let events = [call(Some(5)), spindle(), cut, call(None), cut, call(Some(1)), cut, call(None), cut];
-    let lines = lines::<Xyz>(&config(), &events);
-    let offsets: Vec<_> = lines.iter().filter(|line| line.starts_with("G43")).collect();
-    assert_eq!(offsets, ["G43 H5", "G43 H5", "G43 H1", "G43 H1"]);
 }
 
 #[test]

@@ -20,10 +20,11 @@ fn a_heidenhain_program_begins_with_the_blank_of_the_configuration_or_a_box_arou
     };
     // Cuts from X 0 to 25, Y 0 to 8, Z -3 to 0 with a cutter of 10 mm.
     assert_eq!(blank(|_| {}, PART), ["1 BLK FORM 0.1 Z X-5 Y-5 Z-3", "2 BLK FORM 0.2 X+30 Y+13 Z+0"]);
-    let wider: fn(&mut Config) = |config| {
-        config.set_up.tools.insert(1, GivenTool { diameter_mm: Some(12.0), ..GivenTool::default() });
+    let narrower: fn(&mut Config) = |config| {
+        let tool = GivenTool { diameter_mm: Some(8.0), path_diameter_mm: Some(10.0), ..GivenTool::default() };
+        config.set_up.tools.insert(1, tool);
     };
-    assert_eq!(blank(wider, PART)[0], "1 BLK FORM 0.1 Z X-6 Y-6 Z-3");
+    assert_eq!(blank(narrower, PART)[0], "1 BLK FORM 0.1 Z X-4 Y-4 Z-3");
     let given: fn(&mut Config) = |config| {
         config.set_up.stock =
             Some(crate::set_up::Stock { lower: [-50.0, -40.0, -30.5], upper: [50.0, 40.0, 0.0], round: false });

@@ -43,6 +43,8 @@ pub(crate) struct Needs {
     pub(crate) insert: bool,
     /// Whether the control has length registers.
     pub(crate) registers: bool,
+    /// Bits of the tools whose register is in the configuration.
+    pub(crate) given_offsets: u32,
     /// Whether a GOHOME without a point has a parking position.
     pub(crate) park: bool,
     /// Meaning of the frames after the first.
@@ -161,7 +163,9 @@ impl Program<'_> {
             self.line(&format!("CUTTER/{}", sizes.join(",")));
         }
         match self.random.below(3) {
-            0 if self.needs.registers => self.line(&format!("LOAD/TOOL,{tool},ADJUST,{tool}")),
+            0 if self.needs.registers && self.needs.given_offsets & 1 << tool == 0 => {
+                self.line(&format!("LOAD/TOOL,{tool},ADJUST,{tool}"))
+            }
             1 => self.line(&format!("LOAD/TOOL,{tool}")),
             _ => self.line(&format!("LOADTL/{tool}")),
         }

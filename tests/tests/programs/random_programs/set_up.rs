@@ -112,7 +112,7 @@ pub(crate) fn set_up(
     if !nx {
         file.put("cl", "dialect = \"iso\"");
     }
-    file.part_and_tools(kind, control, mode);
+    let given_offsets = file.part_and_tools(kind, control, mode);
     file.rapids_and_retracts(kind);
     let park = file.park(kind);
     file.course(kind);
@@ -134,8 +134,21 @@ pub(crate) fn set_up(
     file.put("control", "effects = { M77 = \"none\", M78 = \"none\", M79 = \"none\" }");
     let centre = file.maybe(0.1, "", "cl_point = \"centre\"");
     let (axis_range, table) = (kind.axis_range, kind.table);
-    let needs =
-        Needs { axis_range, table, still, inches, compensation, nx, insert, park, registers, frames, code, centre };
+    let needs = Needs {
+        axis_range,
+        table,
+        still,
+        inches,
+        compensation,
+        nx,
+        insert,
+        park,
+        registers,
+        given_offsets,
+        frames,
+        code,
+        centre,
+    };
     (file.text(), needs)
 }
 
@@ -215,8 +228,8 @@ impl File<'_> {
         frames
     }
 
-    /// Part and tools.
-    fn part_and_tools(&mut self, kind: &MachineKind, control: &str, mode: Mode) {
+    /// Part and tools. Returns a bit for each tool whose length register is in the configuration.
+    fn part_and_tools(&mut self, kind: &MachineKind, control: &str, mode: Mode) -> u32 {
         if self.random.chance(0.7) {
             let [x, y, z] = [self.between(-60.0, 60.0), self.between(-60.0, 60.0), self.between(-40.0, 120.0)];
             self.put("", format!("part_origin = [{x:?}, {y:?}, {z:?}]"));
@@ -227,10 +240,12 @@ impl File<'_> {
         self.one_of(0.1, "", "length_mode", &["\"gauge\"", "\"tip\""]);
         let offsets = ["\"G54\"", "\"G55\"", "\"G57\""];
         self.one_of(0.4, "", "work_offset", &offsets);
+        let mut given_offsets = 0;
         for tool in 1..=TOOLS {
             let length = self.between(60.0, 160.0);
             let registers = if registers(control) { [", offset = 7", ", radius_offset = 9"] } else { [""; 2] };
             let more = ["", ", coolant = \"mist\"", registers[0], registers[1]][self.random.below(4)];
+            given_offsets |= u32::from(more.starts_with(", offset")) << tool;
             self.put("tools", format!("{tool} = {{ length = {length:?}{more} }}"));
         }
         if mode == Mode::Axes && self.random.chance(0.1) && !kind.rotaries.is_empty() {
@@ -241,6 +256,7 @@ impl File<'_> {
             self.put("machine_zero", "X = 0.0\nY = 0.0\nZ = -700.0");
             self.put("limits", "X = [-900.0, 900.0]\nY = [-900.0, 900.0]\nZ = [-1500.0, 900.0]");
         }
+        given_offsets
     }
 
     /// Blocks of the shop at the start and the end of operations.
