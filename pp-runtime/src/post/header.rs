@@ -277,14 +277,15 @@ fn frames(vote: &FrameVote, config: &Config) -> Vec<String> {
         (0, 0) => String::new(),
         (0, confirmed) => format!(", confirmed by {}", super::counted(confirmed, "point")),
         (_, 0) => ", as given".to_owned(),
-        (_, confirmed) => format!(", as given, confirmed by {confirmed} points"),
+        (_, confirmed) => format!(", as given, confirmed by {}", super::counted(confirmed, "point")),
     };
-    let into = if config.set_up.set_ups.is_empty() { "the first" } else { "the first of their set-up" };
-    let frames = |count: u64, what: String| {
-        (count > 0).then(|| format!("{} after the first: {what}{by}", super::counted(count, "frame")))
-    };
-    let mapped = frames(vote.mapped, format!("points transformed into {into}"));
-    mapped.into_iter().chain(frames(vote.in_first, "points in the first already".to_owned())).collect()
+    let into =
+        if config.set_up.set_ups.is_empty() { "transformed into the first" } else { "transformed within its set-up" };
+    [(vote.mapped, into), (vote.in_first, "points in the first already")]
+        .into_iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, how)| format!("{}: {how}{by}", super::counted(count, "further frame")))
+        .collect()
 }
 
 /// How the CL data was read: CAM system, arcs, frames, words that were ignored. One sentence each.

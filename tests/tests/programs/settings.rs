@@ -185,7 +185,7 @@ const CASES: &[Case] = &[
         key: "cl.cycle.",
         config: "cl.dialect = 'iso'\ncl.cycle.DRILL.args = ['clearance']",
         states: "CYCLES",
-        then: Refused("CLEAR"),
+        then: Refused("the clearance of this cycle is stated twice"),
     },
 ];
 

@@ -13,7 +13,7 @@
 12 ; CUTTER COMPENSATION of the contour: R and DR of the tool table must hold the radius of the tool
 13 ; CL data of NX, recognised from the file
 14 ; 3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines
-15 ; 2 frames, each transformed into the first of its set-up
+15 ; 1 further frame: transformed within its set-up, confirmed by 4 points
 16 ; KINEMATICS *
 17 ; DIMENSIONS d = 150 mm
 18 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841

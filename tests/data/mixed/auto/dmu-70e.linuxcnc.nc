@@ -9,7 +9,7 @@
 (CUTTER COMPENSATION of the contour: the tool table must hold the diameter of the tool)
 (CL data of NX, recognised from the file)
 (3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines)
-(2 frames, each transformed into the first of its set-up)
+(1 further frame: transformed within its set-up, confirmed by 4 points)
 (KINEMATICS *)
 (DIMENSIONS d = 150 mm)
 (AXIS C+ rotates the table left-handed about +Z, as in ISO 841)

@@ -116,7 +116,7 @@ pub(crate) fn set_up(
     file.rapids_and_retracts(kind);
     let park = file.park(kind);
     file.course(kind);
-    file.words(kind, control);
+    file.words(kind, control, given_offsets);
     file.tip_control(kind, control, mode);
     file.operations(kind, control, mode);
     file.retracts_and_stops(kind, control);
@@ -350,7 +350,7 @@ impl File<'_> {
     }
 
     /// Formats of words, and codes of the control.
-    fn words(&mut self, kind: &MachineKind, control: &str) {
+    fn words(&mut self, kind: &MachineKind, control: &str, given_offsets: u32) {
         self.one_of(0.2, "formats", "linear_mm", &["2", "4", "5"]);
         self.one_of(0.1, "formats", "linear_inch", &["3", "5"]);
         self.one_of(0.2, "formats", "rotary", &["3", "5", "2"]);
@@ -363,7 +363,9 @@ impl File<'_> {
         self.one_of(0.15, "control", "every_word", &["true"]);
         self.one_of(0.1, "control", "preselect", &["true", "false"]);
         self.one_of(0.1, "control", "point", &["true", "false"]);
-        self.one_of(0.2, "", "length_guard", &["true", "false"]);
+        // LinuxCNC compares no other register than that of the tool.
+        let guard = if control == "linuxcnc" && given_offsets != 0 { "false" } else { "true" };
+        self.one_of(0.2, "", "length_guard", &[guard, "false"]);
         // Codes that machine builders add.
         let codes = "mist = [\"M7\", \"M9\"], through = [\"M88\", \"M89\"], air = [\"M83\", \"M84\"]";
         self.put("control", format!("coolant = {{ {codes} }}"));
