@@ -223,7 +223,7 @@ impl File {
     }
 
     /// Tip and tool axis of all motions, in the coordinates of the program.
-    fn poses(&self) -> Vec<(Point3<f64>, Vector3<f64>)> {
+    fn poses(&self) -> Vec<Pose> {
         let of_face = |face: &Face| {
             let place = self.meant(face);
             face.points.iter().map(move |point| (place * point.tip, place * point.axis)).collect::<Vec<_>>()
@@ -232,8 +232,11 @@ impl File {
     }
 }
 
+/// Tip and tool axis of a motion.
+type Pose = (Point3<f64>, Vector3<f64>);
+
 /// The poses as read, or the first error.
-fn read(file: &File, option: Option<Frames>) -> Result<Vec<(Point3<f64>, Vector3<f64>)>, String> {
+fn read(file: &File, option: Option<Frames>) -> Result<Vec<Pose>, String> {
     let options = ReadingOptions { units: Some(Units::Millimetres), frames: option, ..ReadingOptions::default() };
     let text = file.text();
     let mut reader = ClReader::new(text.as_bytes(), options);
