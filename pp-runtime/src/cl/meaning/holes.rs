@@ -396,8 +396,9 @@ fn depth(cycle: &CycleCall, context: &CycleContext) -> Result<f64, ClFault> {
 }
 
 /// Depth of the hole and, where THRU states several depths, the gaps between its plates. The numbers are the bottom of the first
-/// plate, then top and bottom of each further one: feed to the bottom, rapid to CLEAR above the next top (*CL Output for
-/// Holemaking Cycles* of PTC, cycle of *Drill, Web*). `clearance`: the clearance level, mm.
+/// plate, then top and bottom of each further one: feed to the bottom, rapid to CLEAR above the next top. `THRU` is "for multiple
+/// plates" (*Holemaking Cycle Types* of PTC, *Drill, Web*); the order of the numbers is that of files, not of a text that was read,
+/// so they must ascend. `clearance`: the clearance level, mm.
 fn plates(
     cycle: &CycleCall,
     first: f64,
