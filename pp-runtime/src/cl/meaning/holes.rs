@@ -412,7 +412,7 @@ fn plates(
     if context.dialect != Dialect::Creo {
         return Err(fault(
             cycle.depth_at,
-            "several numbers after DEPTH: what they mean is documented for Creo only",
+            "several numbers after DEPTH: what they mean is known of Creo only",
             "if Creo wrote this file, add `--dialect creo`; else write the motions of this hole as GOTO",
         ));
     }

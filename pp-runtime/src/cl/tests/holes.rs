@@ -383,7 +383,7 @@ fn thru_of_creo_states_plates_from_the_top() {
     // Only the documentation of Creo states what they mean.
     let iso = ReadingOptions { dialect: Some(crate::cl::Dialect::Iso), ..mm() };
     let found = errors_with("GOTO/0,0,50\nCYCLE/THRU,DEPTH,12,20,32,CLEAR,2\nGOTO/1,0,0\n", iso);
-    assert_eq!(found, ["2:18+8 several numbers after DEPTH: what they mean is documented for Creo only"]);
+    assert_eq!(found, ["2:18+8 several numbers after DEPTH: what they mean is known of Creo only"]);
 }
 
 #[test]
