@@ -54,11 +54,6 @@ impl StatedFrame {
             && (0..3).all(|i| distance(self.axes[i], other.axes[i]) <= SAME_AXES)
     }
 
-    /// The model, as a frame.
-    fn model(location: Location) -> StatedFrame {
-        StatedFrame { location, origin: [0.0; 3], axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] }
-    }
-
     /// Its Z in the coordinates of another frame.
     fn z_in(&self, other: &StatedFrame) -> [f64; 3] {
         other.axes.map(|axis| dot(axis, self.axes[2]))
@@ -236,8 +231,8 @@ impl WorkpieceFrames {
         if known.is_none() {
             if let Some(first) = self.frames.first() {
                 // The comment of Creo may stand beside points in the coordinates of the machine, which are those of its numbers.
-                let model = (dialect == Dialect::Creo).then(|| frame.z_in(&StatedFrame::model(frame.location)));
-                let columns = std::iter::once(frame.z_in(first)).chain(model).collect();
+                let in_model = (dialect == Dialect::Creo).then_some(frame.axes[2]);
+                let columns = std::iter::once(frame.z_in(first)).chain(in_model).collect();
                 let lines = [frame.location.line, first.location.line];
                 self.readings.push(FrameReading::new(lines, columns, frames, begins_set_up));
             }

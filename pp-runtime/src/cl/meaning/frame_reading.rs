@@ -204,14 +204,14 @@ impl FrameReading {
                 return if self.is_open() { Err(self.unknown(point.at, &why())) } else { Ok(()) };
             }
         };
-        let before = self.axes;
         if self.tilts && found != self.points {
             return Ok(());
         }
+        let is_own_unstated = self.axes.own.count == 0;
         self.axes.of(found).add(point.here, axis);
         match self.by {
             DecidedBy::Nothing => (self.points, self.by) = (found, DecidedBy::ToolAxes),
-            DecidedBy::SetUp if before.own.count == 0 => (self.points, self.by) = (found, DecidedBy::ToolAxes),
+            DecidedBy::SetUp if is_own_unstated => (self.points, self.by) = (found, DecidedBy::ToolAxes),
             _ if found == self.points => {}
             DecidedBy::Option => return Err(self.contradicts_option(axis, point.at)),
             DecidedBy::NoToolAxis => return Err(self.without_axis(point.at)),

@@ -313,16 +313,16 @@ impl RecordInterpreter {
 
     fn emit_held_tool(&mut self) {
         if let Some(((here, tool), taken)) = self.tool.take_held(&self.options) {
-            self.refuse(taken);
-            let name = self.tool.take_name();
-            self.refuse(name.map_or(Ok(()), Err));
+            self.refuse(taken.err());
+            let renamed = self.tool.take_name();
+            self.refuse(renamed);
             self.events.push(here, QueuedEvent::Plain(Event::NewStart(NewStart::Tool(tool))));
         }
     }
 
-    /// Refuses two statements about a tool that contradict each other.
-    fn refuse(&mut self, taken: Result<(), Contradiction>) {
-        if let Err((at, fault)) = taken {
+    /// Reports two statements about a tool that contradict each other.
+    fn refuse(&mut self, contradiction: Option<Contradiction>) {
+        if let Some((at, fault)) = contradiction {
             self.events.refuse(at, fault);
         }
     }

@@ -67,7 +67,7 @@ pub(crate) struct ToolTable {
     /// Names by tool number, with the line of the first and whether another one has been remarked on.
     names: BTreeMap<u32, (String, u64, bool)>,
     /// Register of the last call of each tool that had one.
-    registers: BTreeMap<u32, (u32, Place)>,
+    registers: BTreeMap<u32, u32>,
 }
 
 /// Two statements that contradict each other, with the place of the later one.
@@ -92,9 +92,9 @@ impl ToolTable {
             return Err((here, fault(format!("{text} and {offset} in `[tools.{number}]`"), help)));
         }
         if let Some(register) = call.length_offset {
-            self.registers.insert(number, (register, place));
+            self.registers.insert(number, register);
         }
-        call.length_offset = self.registers.get(&number).map(|(register, _)| *register);
+        call.length_offset = self.registers.get(&number).copied();
         let register = call.length_offset.or(given.and_then(|given| given.offset)).unwrap_or(number);
         let row = self.row(Some(number), register, given);
         if let Some(length_mm) = call.length_mm {

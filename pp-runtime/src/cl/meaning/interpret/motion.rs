@@ -143,7 +143,7 @@ impl RecordInterpreter {
     fn note_cut(&mut self) {
         if self.tool.is_described_anew() && !self.path.is_rapid() {
             let taken = self.tool.cut(&self.options);
-            self.refuse(taken);
+            self.refuse(taken.err());
         }
     }
 

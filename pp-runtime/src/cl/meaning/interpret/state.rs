@@ -90,8 +90,7 @@ impl RecordInterpreter {
         if record.base != FrameBase::Model {
             self.begin_with_workpiece_frame(record, &frame, here)?;
         }
-        let (options, dialect) = ((self.options.frames, &*self.options.set_ups), self.dialect());
-        match self.coordinates.take_frame(frame, record.at, options, dialect)? {
+        match self.enter_frame(frame, record.at)? {
             FrameChange::None => {}
             FrameChange::Frame => {
                 self.begin_operation();
@@ -124,10 +123,14 @@ impl RecordInterpreter {
             ));
         }
         if self.coordinates.workpiece().frame().is_none() {
-            let (options, dialect) = ((self.options.frames, &*self.options.set_ups), self.dialect());
-            self.coordinates.take_frame(workpiece, record.at, options, dialect)?;
+            self.enter_frame(workpiece, record.at)?;
         }
         Ok(())
+    }
+
+    fn enter_frame(&mut self, frame: StatedFrame, at: Span) -> Result<FrameChange, ClFault> {
+        let (options, dialect) = ((self.options.frames, &*self.options.set_ups), self.dialect());
+        self.coordinates.take_frame(frame, at, options, dialect)
     }
 
     /// Another set-up begins: the axes are parked, and the operator clamps the part.
@@ -207,7 +210,7 @@ impl RecordInterpreter {
 
     fn describe_last(&mut self, cutter: CutterRecord, here: Location) {
         let taken = self.tool.describe_last(cutter, here, &self.options);
-        self.refuse(taken);
+        self.refuse(taken.err());
     }
 
     fn cutter_in_millimetres(&mut self, cutter: &CutterRecord) -> Result<CutterRecord, ClFault> {
