@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use super::options::ReadingOptions;
 use super::tool_table::{Contradiction, CutterAt, StatedTool, ToolTable};
 use crate::cl::record::{CutterRecord, ToolCallRecord};
-use crate::cl::text::{ClFault, Span};
+use crate::cl::text::{ClFault, Span, decoded};
 use crate::program::{Location, ToolCall};
 
 /// A call that is held, and the cutter that it has so far.
@@ -116,7 +116,7 @@ impl ModalTool {
     /// Another operation begins, for a tool of this name: a cutter that has not cut belongs to the one before and is dropped.
     pub(crate) fn begin_operation(&mut self, tool: Option<&[u8]>, here: Location) {
         self.next_cutter = None;
-        self.named = tool.map(|name| (String::from_utf8_lossy(name).into_owned(), here));
+        self.named = tool.map(|name| (decoded(name).into_owned(), here));
     }
 
     /// Takes the name that the operation has for the tool in the spindle; a remark if it had another one before.
