@@ -302,6 +302,8 @@ impl fmt::Display for CycleKind {
 pub struct CycleMove {
     /// How.
     pub kind: CycleKind,
+    /// Where the motion of the block ends before it, if that is known: the tool comes over the hole there.
+    pub over: Option<f64>,
     /// Where the tool comes down to at rapid.
     pub reference: f64,
     /// Bottom.
@@ -438,6 +440,10 @@ pub struct Block {
     pub action: Action,
     /// The state in which it does so.
     pub state: State,
+    /// That on a machine whose builder lets the functions of the block act after its motion, where it is another.
+    pub early: Option<Box<State>>,
+    /// It is a further act of the line of the block before.
+    pub goes_on: bool,
     /// Value of each axis after the block, as written: no offsets. mm and rad.
     pub values: [f64; MAX_AXES],
     /// Axes whose value is known: bits by position.
@@ -446,9 +452,8 @@ pub struct Block {
     pub known_before: u16,
     /// Axes whose words stand in the block.
     pub written: u16,
-    /// Its words are those of axes, of the centre of an arc, F and N alone, without a declared effect; or it drills the hole of the
-    /// block before again, by words of axes and N alone. All modes are those of the block before, unless blocks that may be skipped
-    /// end here.
+    /// Its words are those of axes, of the centre of an arc, F and N alone, without a declared effect. All modes are those of the
+    /// block before, unless blocks that may be skipped end here.
     pub only_moves: bool,
     /// A complete state begins here: the block names the unit, or what stands for it.
     pub restart: bool,
@@ -481,6 +486,8 @@ impl Default for Block {
             number: None,
             action: Action::Nothing,
             state: State::default(),
+            early: None,
+            goes_on: false,
             values: [0.0; MAX_AXES],
             known: 0,
             known_before: 0,

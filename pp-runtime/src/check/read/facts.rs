@@ -2,6 +2,7 @@
 
 use super::Family;
 use super::block::{Action, CycleKind, CycleMove};
+use super::orders::Order;
 
 /// Numbering of the registers that hold the length of a tool.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -150,6 +151,8 @@ pub(crate) struct Facts {
     pub(crate) reference_beside_motion: bool,
     /// Tilted planes and tip control are options: a program that uses neither has no code that ends them.
     pub(crate) frames_are_options: bool,
+    /// When codes of spindle and coolant act in a block that moves.
+    pub(crate) functions: Order,
     /// Motion codes stay in force.
     pub(crate) motion_modal: bool,
     /// Length that guards read.
@@ -213,6 +216,7 @@ const ISO: Facts = Facts {
     register_0_is_off: true,
     reference_beside_motion: true,
     frames_are_options: true,
+    functions: Order::Either,
     motion_modal: true,
     guard_source: GuardSource::Registers { largest: 999 },
     path_tolerance: false,
@@ -262,6 +266,7 @@ impl Family {
                 feed_mode_clears_feed: true,
                 block_number_has_point: true,
                 mark_ends_program: true,
+                functions: Order::Before,
                 guard_source: GuardSource::Spindle,
                 path_tolerance: true,
                 ..ISO
@@ -334,6 +339,7 @@ impl Family {
                 semicolon_comments: true,
                 program_numbers: false,
                 frames_are_options: false,
+                functions: Order::Before,
                 motion_modal: false,
                 guard_source: GuardSource::Row,
                 // HSC-MODE:1 rough, 0 finish.

@@ -1,18 +1,19 @@
-//! One line while it is read: the place in its text, what it has said so far, and what was in force before it.
+//! One line while it is read: the place in its text, its words, what it orders, and what was in force before it.
 
 use super::Vocabulary;
-use super::block::{Fault, WorkPlane};
-use super::draft::{Draft, fault};
+use super::block::Fault;
 use super::facts::{Facts, Form};
-use super::language::Language;
+use super::language::{Address, Language};
 use super::machine::Interpreter;
-use super::text::{Cursor, Number, shown, whole};
+use super::orders::{Orders, fault};
+use super::text::{Cursor, Number, shown, tenths, whole};
+use super::words::{Coded, Counts, Word, Words};
 use crate::program::Units;
 
-/// A line on its way into a draft.
+/// A line on its way into orders.
 ///
-/// Vocabulary, language and machine live as long as the program and are only asked; place, draft and faults as long as the
-/// line. What a family has to remember from one line to the next is in its own reader.
+/// Vocabulary, language and machine live as long as the program and are only asked; place, words, orders and faults as long as
+/// the line. What a family has to remember from one line to the next is in its own reader.
 #[derive(Debug)]
 pub(super) struct Line<'a> {
     vocabulary: &'a Vocabulary,
@@ -20,7 +21,8 @@ pub(super) struct Line<'a> {
     facts: &'a Facts,
     machine: &'a Interpreter,
     pub(crate) at: Cursor<'a>,
-    pub(crate) draft: &'a mut Draft,
+    pub(crate) words: &'a mut Words,
+    pub(crate) orders: &'a mut Orders,
     faults: &'a mut Vec<Fault>,
 }
 
@@ -30,11 +32,11 @@ impl<'a> Line<'a> {
         text: &'a [u8],
         vocabulary: &'a Vocabulary,
         machine: &'a Interpreter,
-        draft: &'a mut Draft,
+        (words, orders): (&'a mut Words, &'a mut Orders),
         faults: &'a mut Vec<Fault>,
     ) -> Self {
         let language = vocabulary.family.language();
-        Self { vocabulary, language, facts: machine.facts(), machine, at: Cursor::new(text), draft, faults }
+        Self { vocabulary, language, facts: machine.facts(), machine, at: Cursor::new(text), words, orders, faults }
     }
 
     pub(super) fn vocabulary(&self) -> &'a Vocabulary {
@@ -61,35 +63,38 @@ impl<'a> Line<'a> {
 
     /// The first of its faults that are not of its frame.
     pub(super) fn first_fault(&self) -> Option<&str> {
-        self.faults.get(self.draft.frame_faults).map(|fault| fault.text.as_str())
+        self.faults.get(self.orders.frame_faults).map(|fault| fault.text.as_str())
     }
 
     /// Takes away its faults except those of its frame.
     pub(super) fn excuse(&mut self) {
-        self.faults.truncate(self.draft.frame_faults);
+        self.faults.truncate(self.orders.frame_faults);
     }
 
-    /// Notes what is wrong at a column, from 0.
+    /// Adds a fault at a column, from 0.
     #[cold]
     pub(super) fn fault(&mut self, column: usize, text: impl Into<String>) {
         fault(self.faults, column, text);
     }
 
-    /// Notes a fault that nothing takes away, whatever the user declares for the line.
+    /// Adds a fault that nothing takes away, whatever the user declares for the line.
     #[cold]
     pub(super) fn lasting_fault(&mut self, column: usize, text: impl Into<String>) {
         let fault = Fault { column: column + 1, text: text.into() };
-        self.faults.insert(self.draft.frame_faults, fault);
-        self.draft.frame_faults += 1;
+        self.faults.insert(self.orders.frame_faults, fault);
+        self.orders.frame_faults += 1;
     }
 
     /// Takes a block number: the first word of the line.
     pub(super) fn block_number(&mut self, number: Number, column: usize) {
         let point = number.point && !self.facts.block_number_has_point;
-        self.draft.number = whole(number).filter(|_| !point && !number.negative).map(u64::from);
-        if self.draft.number.is_none() {
+        let value = whole(number).filter(|_| !point && !number.negative).map(u64::from);
+        if value.is_none() {
             self.fault(column, "block number that is no whole number");
+        } else if self.orders.number.is_some() {
+            self.fault(column, "two N words");
         }
+        self.orders.number = value;
         let mut comment = false;
         let comments = self.facts.form == Form::Letters;
         let is_word = |byte: &u8| {
@@ -102,11 +107,29 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// Says that a word stands twice, unless it is the first.
-    pub(super) fn once(&mut self, first: bool, word: &[u8], column: usize) {
-        if !first {
-            self.fault(column, format!("two {} words", shown(word)));
+    /// Adds a word that has been read from a column on. It is a fault if the line has it already.
+    pub(super) fn word(
+        &mut self,
+        name: &[u8],
+        (address, index): (Address, usize),
+        (number, counts): (Number, Counts),
+        column: usize,
+    ) {
+        let letter = if let [letter] = name { Some(letter.to_ascii_uppercase()) } else { None };
+        self.orders.speaks = true;
+        let word = Word { address, index: index as u8, letter, number, counts, column };
+        if !self.words.add(word) {
+            self.fault(column, format!("two {} words", shown(name)));
         }
+    }
+
+    /// Adds a code by its letter and number, which has been read from a column on; `false` if the table does not have it.
+    pub(super) fn code(&mut self, letter: u8, number: Number, column: usize) -> bool {
+        let Some(number) = tenths(number) else { return false };
+        let Some(row) = self.language.code(letter, number) else { return false };
+        self.orders.speaks = true;
+        self.words.add_code(Coded { row, number, column, end: self.at.column() });
+        true
     }
 
     /// What has been read from a column on.
@@ -114,7 +137,7 @@ impl<'a> Line<'a> {
         self.at.read_from(column)
     }
 
-    /// Says that what has been read from a column on is not in the language.
+    /// Adds the fault that what has been read from a column on is not in the language.
     #[cold]
     pub(super) fn unknown(&mut self, column: usize) {
         let text = self.read_from(column);
@@ -126,26 +149,9 @@ impl<'a> Line<'a> {
         self.machine.axis_named(name)
     }
 
-    /// Takes the word of I, J or K; `false` if it stands there already.
-    pub(super) fn centre(&mut self, letter: u8, value: f64) -> bool {
-        let axis = usize::from(letter - b'I');
-        let first = self.draft.centre_written & (1 << axis) == 0;
-        self.draft.centre[axis] = value;
-        self.draft.centre_written |= 1 << axis;
-        first
-    }
-
-    /// Takes a component of the tool axis, X being 0; `false` if it stands there already.
-    pub(super) fn vector(&mut self, axis: usize, value: f64) -> bool {
-        let first = self.draft.vector_written & (1 << axis) == 0;
-        self.draft.vector[axis] = value;
-        self.draft.vector_written |= 1 << axis;
-        first
-    }
-
     /// The unit in which the line counts.
     pub(super) fn units(&self) -> Option<Units> {
-        self.draft.units.or(self.machine.state().units)
+        self.orders.units().or(self.machine.state().units)
     }
 
     /// The same, mm.
@@ -160,7 +166,7 @@ impl<'a> Line<'a> {
         known.or_else(|| std::str::from_utf8(name).ok()?.parse().ok())
     }
 
-    /// Notes that a tool is called by its name, or by its number.
+    /// Compares the form of a tool call with that of the configuration: a name, or a number.
     pub(super) fn called(&mut self, by_name: bool, column: usize) {
         match (by_name, self.vocabulary().tools_by_name) {
             (true, false) => self.fault(column, "the tool is called by its name, expected its number"),
@@ -172,16 +178,5 @@ impl<'a> Line<'a> {
     /// Whether a tool is in the spindle, as far as the program says.
     pub(super) fn has_tool(&self) -> bool {
         self.machine.state().tool.is_some()
-    }
-
-    /// Whether the words of the line are distances.
-    pub(super) fn incremental(&self) -> bool {
-        self.draft.distances.or(self.machine.state().incremental) == Some(true)
-    }
-
-    /// Position of the axis along the normal of the plane in which the line acts.
-    pub(super) fn normal(&self) -> Option<usize> {
-        let [_, _, normal] = self.draft.plane.or(self.machine.state().plane).map(WorkPlane::axes)?;
-        self.machine.linear()[normal]
     }
 }

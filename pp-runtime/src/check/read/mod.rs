@@ -24,8 +24,7 @@
 //! ```
 
 mod block;
-mod codes;
-mod draft;
+mod compose;
 mod facts;
 mod frames;
 mod heidenhain;
@@ -33,14 +32,17 @@ mod iso;
 mod language;
 mod line;
 mod machine;
+mod orders;
 mod own;
 mod siemens;
 mod state;
 mod text;
+mod words;
 
 #[cfg(test)]
 mod tests;
 
+use std::fmt;
 use std::io::{self, Read};
 
 pub(crate) use block::set_bits;
@@ -54,14 +56,15 @@ pub(crate) use language::table;
 pub(crate) use machine::AxisName;
 pub(crate) use own::{OwnText, PlacedLines, is_filled, is_read};
 
-use draft::{Draft, fault};
 use heidenhain::Heidenhain;
 use iso::Iso;
 use line::Line;
 use machine::Interpreter;
-use own::{Bare, Declared};
+use orders::{Motion, Orders, effect, fault};
+use own::Bare;
 use siemens::Siemens;
 use text::GOES_ON;
+use words::Words;
 
 /// A line longer than this is no line of a program, bytes.
 const LONGEST: usize = 1 << 16;
@@ -162,12 +165,32 @@ impl Pieces for &mut dyn Pieces {
     }
 }
 
-/// The family's own part.
-#[derive(Debug)]
-enum Syntax {
-    Iso(Iso),
-    Siemens(Siemens),
-    Heidenhain(Heidenhain),
+/// The lines of a form of programs, and what is remembered from one to the next.
+trait Dialect: fmt::Debug {
+    /// Reads a line that only moves axes; `false` if it is another, or may mean something else.
+    fn moves(&self, _text: &[u8], _machine: &Interpreter, _moves: &mut Moves) -> bool {
+        false
+    }
+
+    /// Reads a line; `false` if it is no block.
+    fn line(&mut self, line: &mut Line<'_>) -> bool;
+
+    /// Whether the line before belongs to a guard that has not ended.
+    fn is_in_guard(&self) -> bool;
+
+    /// The program has begun.
+    fn begin(&mut self) {}
+
+    /// Forgets what stays in force.
+    fn forget(&mut self) {}
+}
+
+/// A line that only moves axes.
+#[derive(Debug, Clone, Copy, Default)]
+struct Moves {
+    number: Option<u64>,
+    feed: Option<f64>,
+    motion: Motion,
 }
 
 /// Reads a program block by block.
@@ -179,7 +202,7 @@ pub(crate) struct Reader<P> {
     used: usize,
     vocabulary: Vocabulary,
     facts: Facts,
-    syntax: Syntax,
+    dialect: Box<dyn Dialect>,
     machine: Interpreter,
     line: Vec<u8>,
     /// The line without what has a declared effect.
@@ -192,9 +215,11 @@ pub(crate) struct Reader<P> {
     before_skip: Option<Box<Interpreter>>,
     /// The shop has blocks of its own for the machine retract.
     own_retract: bool,
-    draft: Draft,
-    /// The draft with which a line begins.
-    empty: Draft,
+    words: Words,
+    orders: Orders,
+    /// Acts of the line that have been executed.
+    step: usize,
+    moves: Moves,
     block: Block,
 }
 
@@ -204,10 +229,10 @@ impl<P: Pieces> Reader<P> {
         let facts = vocabulary.family.facts();
         let own_retract = vocabulary.own.iter().any(|own| matches!(own.place, OwnPlace::Retract { .. }));
         let machine = Interpreter::new(vocabulary.axes.clone(), facts, vocabulary.rounding);
-        let syntax = match facts.form {
-            Form::Letters => Syntax::Iso(Iso::new(&vocabulary, &machine)),
-            Form::Keywords => Syntax::Siemens(Siemens::default()),
-            Form::Statements => Syntax::Heidenhain(Heidenhain::default()),
+        let dialect: Box<dyn Dialect> = match facts.form {
+            Form::Letters => Box::new(Iso::new(&vocabulary, &machine)),
+            Form::Keywords => Box::new(Siemens::default()),
+            Form::Statements => Box::new(Heidenhain::default()),
         };
         Self {
             input,
@@ -215,7 +240,7 @@ impl<P: Pieces> Reader<P> {
             used: 0,
             vocabulary,
             facts,
-            syntax,
+            dialect,
             machine,
             line: Vec::new(),
             blanked: Vec::new(),
@@ -224,14 +249,20 @@ impl<P: Pieces> Reader<P> {
             joined: false,
             before_skip: None,
             own_retract,
-            draft: Draft::default(),
-            empty: Draft::default(),
+            words: Words::default(),
+            orders: Orders::default(),
+            step: 0,
+            moves: Moves::default(),
             block: Block::default(),
         }
     }
 
-    /// The next line that is more than a comment, and its text.
+    /// The next act of the line at hand, or else of the next line that is more than a comment; and the text of the line.
     pub(crate) fn next_block(&mut self) -> io::Result<Option<(&Block, &[u8])>> {
+        self.step += 1;
+        if self.step <= self.orders.acts.len() && self.machine.go_on(&self.orders, self.step, &mut self.block) {
+            return Ok(Some((&self.block, &self.line)));
+        }
         while let Some(is_block) = self.execute_line()? {
             if is_block {
                 return Ok(Some((&self.block, &self.line)));
@@ -248,10 +279,15 @@ impl<P: Pieces> Reader<P> {
         let Some(long) = self.next_line()? else { return Ok(None) };
         self.block.faults.clear();
         self.block.own = None;
-        self.draft.clear(&self.empty);
+        self.block.line = self.number;
+        self.orders.clear();
+        self.step = 0;
         let mark = if begins { self.byte_order_mark() } else { None };
         let marked = self.take_skip_mark();
         self.follow_skip(marked);
+        if !long && self.block.faults.is_empty() && mark.is_none() && self.moves_along() {
+            return Ok(Some(true));
+        }
         let is_block = long || self.read_line();
         if long {
             let text = format!("this line is longer than {LONGEST} bytes and has not been read");
@@ -267,13 +303,28 @@ impl<P: Pieces> Reader<P> {
         }
         let is_block = is_block || !self.block.faults.is_empty();
         if is_block {
-            self.block.line = self.number;
-            self.machine.execute(&self.draft, &mut self.block);
+            self.machine.begin(&self.orders, &mut self.block);
             if self.joined {
                 text::put_marks_back(&mut self.line);
             }
         }
         Ok(Some(is_block))
+    }
+
+    /// Executes a line that only moves axes; `false` if it is another.
+    fn moves_along(&mut self) -> bool {
+        if self.own_retract || !self.dialect.moves(&self.line, &self.machine, &mut self.moves) {
+            return false;
+        }
+        // A word of it may have a declared effect.
+        self.bare.forget();
+        if own::declared(&self.line, &self.vocabulary, &self.facts, &mut self.bare, &mut self.blanked).is_some() {
+            return false;
+        }
+        self.dialect.begin();
+        self.block.number = self.moves.number;
+        self.machine.move_along(&self.moves.motion, self.moves.feed, &mut self.block);
+        true
     }
 
     /// Lines read so far.
@@ -320,11 +371,7 @@ impl<P: Pieces> Reader<P> {
     /// The first line that may be skipped, or that may no longer.
     #[inline(never)]
     fn change_skip(&mut self, marked: bool) {
-        let in_guard = match &self.syntax {
-            Syntax::Iso(iso) => iso.is_in_guard(),
-            Syntax::Siemens(siemens) => siemens.is_in_guard(),
-            Syntax::Heidenhain(heidenhain) => heidenhain.is_in_guard(),
-        };
+        let in_guard = self.dialect.is_in_guard();
         if !in_guard && self.is_comment() {
             return;
         }
@@ -336,7 +383,7 @@ impl<P: Pieces> Reader<P> {
             Some(before) => {
                 self.machine.join(&before);
                 self.block.state = *self.machine.state();
-                self.forget();
+                self.dialect.forget();
             }
             None => self.before_skip = Some(Box::new(self.machine.clone())),
         }
@@ -356,55 +403,31 @@ impl<P: Pieces> Reader<P> {
             || matches!(text, [b'(', inner @ .., b')'] if !inner.contains(&b')'))
     }
 
-    /// Forgets what the family remembers from one line to the next.
-    fn forget(&mut self) {
-        match &mut self.syntax {
-            Syntax::Iso(iso) => iso.forget(),
-            Syntax::Siemens(siemens) => siemens.forget(),
-            Syntax::Heidenhain(heidenhain) => heidenhain.forget(),
-        }
-    }
-
+    /// Reads a line into its orders; whether it is a block.
     fn read_line(&mut self) -> bool {
         let vocabulary = &self.vocabulary;
         // Lines and words with a declared effect are blanked out: the rest of their line is read by the table.
         self.bare.forget();
         let declared = own::declared(&self.line, vocabulary, &self.facts, &mut self.bare, &mut self.blanked);
-        let moves = match &mut self.syntax {
-            Syntax::Iso(iso) if declared.is_none() => iso.moves(&self.line, &mut self.draft),
-            _ => false,
-        };
-        let plain = moves && self.block.faults.is_empty() && !self.own_retract;
-        plain || self.read_other_line(declared, moves)
-    }
-
-    /// Reads a line that does more than move axes, is one of the configuration, or has faults; `moves`: its words have been read.
-    #[inline(never)]
-    fn read_other_line(&mut self, declared: Option<Declared>, moves: bool) -> bool {
-        let vocabulary = &self.vocabulary;
         let text = if declared.is_some() { &self.blanked } else { &self.line };
-        let mut line = Line::new(text, vocabulary, &self.machine, &mut self.draft, &mut self.block.faults);
-        let mut is_block = moves
-            || match &mut self.syntax {
-                Syntax::Iso(iso) => iso.line(&mut line),
-                Syntax::Siemens(siemens) => siemens.line(&mut line),
-                Syntax::Heidenhain(heidenhain) => heidenhain.line(&mut line),
-            };
-        let may_switch = line.draft.written == 0 && !vocabulary.own.is_empty();
+        self.words.clear();
+        let into = (&mut self.words, &mut self.orders);
+        let mut line = Line::new(text, vocabulary, &self.machine, into, &mut self.block.faults);
+        let mut is_block = self.dialect.line(&mut line);
+        let may_switch = !line.orders.moves_axes() && !vocabulary.own.is_empty();
         let switched = may_switch && own::switch(self.bare.text(&self.line, &self.facts), &mut line);
         // A stop may be a line of the tool change.
-        let stops = line.draft.stop.is_some() && !vocabulary.own.is_empty();
+        let stops = line.orders.stops() && !vocabulary.own.is_empty();
         if declared.is_some() || switched || stops || line.fault_count() > 0 {
             self.block.own = own::resolve(self.bare.text(&self.line, &self.facts), &mut line, declared, switched);
-            is_block |= self.block.own.is_some();
         }
         if self.own_retract && self.block.own.is_none() {
             let own = own::resolve(self.bare.text(&self.line, &self.facts), &mut line, None, false);
             self.block.own = own.filter(|own| own.places.iter().any(|place| matches!(place, OwnPlace::Retract { .. })));
-            is_block |= self.block.own.is_some();
         }
-        if self.draft.effects & draft::effect::STATE != 0 {
-            self.forget();
+        is_block |= self.block.own.is_some();
+        if self.orders.effects & effect::STATE != 0 {
+            self.dialect.forget();
         }
         is_block
     }

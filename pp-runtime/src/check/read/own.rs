@@ -5,9 +5,9 @@
 //! configuration; clamp, coolant and tip control codes have the effect of their keys.
 
 use super::block::{Effect, Fault, OwnLine, OwnPlace, OwnValues, WorkPlane};
-use super::draft::effect;
 use super::facts::{Facts, Form};
 use super::line::Line;
+use super::orders::{Act, Mode, effect};
 use super::text::{GOES_ON, shown, take_marks_away};
 use super::{Reader, Vocabulary};
 
@@ -191,27 +191,26 @@ pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
     let vocabulary = line.vocabulary();
     let mut found = false;
     for own in vocabulary.own.iter().filter(|own| own.text == text) {
-        let draft = &mut *line.draft;
-        if !found && matches!(own.place, OwnPlace::Clamp { .. } | OwnPlace::TipControl { .. }) {
-            // The machine builder's code takes the place of the control's own of this spelling.
-            draft.forget_codes();
-        }
+        let orders = &mut *line.orders;
+        // The machine builder's code takes the place of the control's own of this spelling.
         match own.place {
-            OwnPlace::Clamp { axis, on: true } => draft.clamp_on |= 1 << axis,
-            OwnPlace::Clamp { axis, on: false } => draft.clamp_off |= 1 << axis,
-            OwnPlace::Coolant => match own.coolant {
-                // In the place of what the control's own code of this spelling switches on.
-                Some((bits, true)) if found => draft.coolant_on |= bits,
-                Some((bits, true)) => draft.coolant_on = bits,
-                Some((bits, false)) => draft.coolant_off |= bits,
-                None => {}
-            },
-            OwnPlace::TipControl { on } => draft.tip_control = Some(on),
+            OwnPlace::Clamp { .. } | OwnPlace::TipControl { .. } if !found => orders.forget_codes(),
+            OwnPlace::Coolant if !found && matches!(own.coolant, Some((_, true))) => {
+                orders.remove(|mode| matches!(mode, Mode::CoolantOn(_)));
+            }
+            _ => {}
+        }
+        match (own.place, own.coolant) {
+            (OwnPlace::Clamp { axis, on }, _) => orders.mode(Mode::Clamp { axis, on }),
+            (OwnPlace::Coolant, Some((kinds, true))) => orders.mode(Mode::CoolantOn(kinds)),
+            (OwnPlace::Coolant, Some((kinds, false))) => orders.mode(Mode::CoolantOff(kinds)),
+            (OwnPlace::TipControl { on }, _) => orders.mode(Mode::TipControl(on)),
+            (OwnPlace::Coolant, None) => {}
             _ => continue,
         }
         found = true;
-        draft.speaks();
     }
+    line.orders.speaks |= found;
     found
 }
 
@@ -240,13 +239,14 @@ fn change_tool(called: Option<&[u8]>, line: &mut Line<'_>) {
     };
     let Some(number) = called_tool(called, line) else { return };
     let of_table = line.facts().plane_by_tool_call;
-    let draft = &mut *line.draft;
-    (draft.tool, draft.change) = (Some(number), true);
+    line.orders.mode(Mode::Tool(number));
+    line.orders.mode(Mode::Change);
+    line.orders.act(Act::ToolChange);
     if of_table {
         // Working plane, length and radius are those of the tool call in it.
-        draft.length_with_tool = true;
-        draft.plane = Some(WorkPlane::Xy);
-        draft.radius_delta_mm = Some(Some(0.0));
+        for mode in [Mode::LengthOfTool, Mode::Plane(WorkPlane::Xy), Mode::RadiusDelta(Some(0.0))] {
+            line.orders.mode(mode);
+        }
     }
 }
 
@@ -260,13 +260,13 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     if let Some(Declared { bits, whole, .. }) = declared {
         let routine = |place: &OwnPlace| matches!(place, OwnPlace::MeasureTool | OwnPlace::CheckTool);
         let modes = if effect == Some(Effect::Measures) && places.iter().any(routine) { effect::MODES } else { 0 };
-        line.draft.effects = bits | modes;
-        line.draft.speaks();
+        line.orders.effects = bits | modes;
+        line.orders.speaks = true;
         if effect == Some(Effect::ToolChange) {
             let called = line.vocabulary().effects.iter().find_map(|(key, _)| filled(key, text)).and_then(|of| of.tool);
             change_tool(called, line);
         }
-        if whole || line.fault_count() == line.draft.frame_faults {
+        if whole || line.fault_count() == line.orders.frame_faults {
             if places.is_empty() {
                 places.push(OwnPlace::Insert);
             }
@@ -280,10 +280,10 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
         line.excuse();
         return Some(OwnLine { places, effect, values });
     }
-    if line.fault_count() > line.draft.frame_faults {
+    if line.fault_count() > line.orders.frame_faults {
         // What it does is unknown, so nothing of it is executed.
         let reason = line.first_fault().unwrap_or_default().to_owned();
-        line.draft.forget_codes();
+        line.orders.forget_codes();
         line.excuse();
         let own = line.vocabulary().own.iter().find(|own| matches(&own.text, text));
         let key = shown(own.map_or(text, |own| own.text.as_slice()));

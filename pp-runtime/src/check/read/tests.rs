@@ -153,7 +153,7 @@ fn tool_spindle_and_coolant_are_kept() {
 
 fn hole(block: &Block) -> CycleMove {
     match block.action {
-        Action::Cycle(cycle) => cycle,
+        Action::Cycle(cycle) => CycleMove { over: None, ..cycle },
         other => panic!("{other:?}"),
     }
 }
@@ -162,6 +162,7 @@ fn hole(block: &Block) -> CycleMove {
 fn cycles_make_the_same_hole_on_each_control() {
     let peck = CycleMove {
         kind: CycleKind::Peck(3.0),
+        over: None,
         reference: 2.0,
         bottom: -10.0,
         back_to: 25.0,

@@ -65,6 +65,11 @@ impl<'a> Cursor<'a> {
         &self.line[column..self.column()]
     }
 
+    /// What is between two columns.
+    pub(super) fn between(&self, from: usize, to: usize) -> &'a [u8] {
+        &self.line[from..to]
+    }
+
     /// Column that comes next, from 0.
     pub(super) fn column(&self) -> usize {
         self.line.len() - self.rest.len()

@@ -1,10 +1,10 @@
 //! Cycles: CYCL DEF with its parameters, by the lists of the language.
 
 use super::super::block::{CycleKind, FineBore, Smoothing, WorkOffset};
-use super::super::draft::Cycle;
 use super::super::language::arguments::{SLOTS, Slot};
 use super::super::language::{List, Role};
 use super::super::line::Line;
+use super::super::orders::{Act, Cycle, Mode};
 use super::super::text::{Cursor, GOES_ON, same, tenths, whole};
 use super::ended;
 
@@ -61,8 +61,10 @@ pub(super) fn define(line: &mut Line<'_>) -> bool {
         90 => line.at.words("DWELL TIME") && ended(line),
         320 => line.at.word(b"TOLERANCE") && ended(line),
         91 => {
-            line.draft.dwell = line.at.word(b"DWELL").then(|| line.at.spaced_number()).flatten().map(|time| time.value);
-            line.draft.dwell.is_some_and(|seconds| seconds >= 0.0) && ended(line)
+            let time = line.at.word(b"DWELL").then(|| line.at.spaced_number()).flatten();
+            let Some(time) = time.filter(|time| time.value >= 0.0) else { return false };
+            line.orders.act(Act::Dwell(time.value));
+            ended(line)
         }
         321 => tolerance(line),
         322 => mode(line),
@@ -75,10 +77,11 @@ fn tolerance(line: &mut Line<'_>) -> bool {
     line.at.blanks();
     let tolerance = if line.at.take(b'T') { line.at.spaced_number() } else { None };
     let unit = line.machine().unit();
-    line.draft.smoothing = Some(match tolerance {
+    let smoothing = match tolerance {
         Some(tolerance) => Smoothing::On { tolerance_mm: Some(tolerance.value * unit), level: None },
         None => Smoothing::Off,
-    });
+    };
+    line.orders.mode(Mode::Smoothing(smoothing, None));
     ended(line)
 }
 
@@ -89,8 +92,8 @@ fn mode(line: &mut Line<'_>) -> bool {
     let angle = if line.at.literal(b"TA") { line.at.spaced_number() } else { None };
     let Smoothing::On { tolerance_mm, .. } = line.machine().state().smoothing else { return false };
     let Some(level @ 0..=1) = level else { return false };
-    line.draft.smoothing = Some(Smoothing::On { tolerance_mm, level: Some(level as u8) });
-    line.draft.smoothing_angle = angle.map(|angle| angle.value.to_radians());
+    let angle_rad = angle.map(|angle| angle.value.to_radians());
+    line.orders.mode(Mode::Smoothing(Smoothing::On { tolerance_mm, level: Some(level as u8) }, angle_rad));
     ended(line)
 }
 
@@ -110,7 +113,7 @@ fn parameters(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
         while !at.ended() && at.peek() != Some(b';') {
             let found = parameter(&mut at);
             let Some((number, value)) = found else {
-                line.fault(0, format!("`{}` is no parameter with a number", super::shown(part.trim_ascii())));
+                line.fault(0, format!("expected Q and a number, as Q200=2: `{}`", super::shown(part.trim_ascii())));
                 return None;
             };
             let Some(index) = list.items.iter().position(|item| item.number == number) else {
@@ -167,12 +170,14 @@ fn carry_out(line: &mut Line<'_>, tenths: u32, numbers: &Numbers) -> bool {
         if row < 0.0 {
             return false;
         }
-        line.draft.restart = true;
-        line.draft.work_offset = Some(WorkOffset::Row(row as u32));
+        line.orders.mode(Mode::Restart);
+        line.orders.mode(Mode::WorkOffset(WorkOffset::Row(row as u32)));
         return true;
     }
     let hole = hole(line, tenths / 10, numbers);
-    line.draft.define = hole.map(|hole| hole.in_unit(line.machine().unit()));
+    if let Some(hole) = hole {
+        line.orders.mode(Mode::Define(hole.in_unit(line.machine().unit())));
+    }
     hole.is_some()
 }
 

@@ -6,6 +6,7 @@
 
 use super::super::block::{Guard, LengthSource};
 use super::super::line::Line;
+use super::super::orders::Mode;
 use super::super::text::{Cursor, whole};
 
 /// Bounds and lengths are rounded to this, mm.
@@ -55,12 +56,12 @@ impl LengthGuard {
         if self.lines == 8 {
             self.lines = 0;
             let [low, high] = [self.low, self.high];
-            line.draft.guard = Some(Guard {
+            line.orders.mode(Mode::Guard(Guard {
                 length_mm: ((low + high) / 2.0 * ROUNDED).round() / ROUNDED,
                 tolerance_mm: ((high - low) / 2.0 * ROUNDED).round() / ROUNDED,
                 source: LengthSource::Tool(self.tool),
                 stops: true,
-            });
+            }));
         }
         true
     }

@@ -18,10 +18,11 @@ mod words;
 use self::cycles::Sequence;
 use self::guard::LengthGuard;
 use self::plane_guard::PlaneGuardLines;
+use super::Dialect;
 use super::block::{BlankPart, FeedMode, Side, WorkPlane};
-use super::draft::Code;
 use super::language::{Means, Statement};
 use super::line::Line;
+use super::orders::{Act, Code, Mode};
 use super::text::{GOES_ON, shown, whole};
 use crate::program::Units;
 
@@ -40,16 +41,15 @@ pub(super) struct Heidenhain {
     ended: bool,
 }
 
-impl Heidenhain {
-    /// Reads one line into its draft; `false` if it is no block.
-    pub(super) fn line(&mut self, line: &mut Line<'_>) -> bool {
+impl Dialect for Heidenhain {
+    fn line(&mut self, line: &mut Line<'_>) -> bool {
         if line.at.ended() {
             return false;
         }
         self.number(line);
         line.at.blanks();
         self.sequence.line(line);
-        line.draft.frame_faults = line.fault_count();
+        line.orders.frame_faults = line.fault_count();
         let goes_on = line.at.rest().contains(&GOES_ON);
         if matches!(line.at.peek(), None | Some(b';' | b'*')) {
             if goes_on {
@@ -57,28 +57,27 @@ impl Heidenhain {
             }
             return true;
         }
-        line.draft.speaks();
+        line.orders.speaks = true;
         let start = line.at;
         // Only the parameters of a cycle go on in the next line, and they have been read to their end.
         if !self.statement(line) || goes_on && !line.at.ended() {
             line.fault(start.column(), format!("`{}` is not known to the check", shown(start.rest())));
         }
-        line.contradictions();
         self.began = true;
-        self.ended |= line.draft.end;
+        self.ended |= line.orders.acts.contains(&Act::End);
         true
     }
 
-    /// The line before belongs to a guard that has not ended.
-    pub(super) fn is_in_guard(&self) -> bool {
+    fn is_in_guard(&self) -> bool {
         self.guard.is_open() || self.plane_guard.is_open()
     }
 
-    /// Forgets what stays in force.
-    pub(super) fn forget(&mut self) {
+    fn forget(&mut self) {
         (self.pole, self.sequence) = ([None; 3], Sequence::default());
     }
+}
 
+impl Heidenhain {
     /// The number of the line.
     fn number(&mut self, line: &mut Line<'_>) {
         let Some(number) = line.at.number().and_then(whole).map(u64::from) else {
@@ -88,7 +87,7 @@ impl Heidenhain {
             line.fault(0, "the line number does not follow that of the previous line");
         }
         self.last = Some(number);
-        line.draft.number = Some(number);
+        line.orders.number = Some(number);
     }
 
     fn statement(&mut self, line: &mut Line<'_>) -> bool {
@@ -103,43 +102,56 @@ impl Heidenhain {
         });
         let named = row.map(|row| (row.spelling, row.means));
         let Some((spelling, Means::Statement(statement))) = named else {
-            return self.guard.line(line) || self.plane_guard.line(line) || words::codes(line);
+            return self.guard.line(line) || self.plane_guard.line(line) || words::codes(line) && composed(line, false);
         };
         match statement {
             Statement::Line => {
-                line.draft.code = Some(Code::Feed);
-                words::motion(line) && line.draft.pitch.is_none()
+                let Some(marks) = words::motion(line) else { return false };
+                let code = if marks.rapid { Code::Rapid } else { Code::Feed };
+                line.orders.mode(Mode::Motion(code, 0));
+                marks.sense.is_none() && composed(line, false)
             }
             Statement::Pole => round::centre(line, &mut self.pole),
-            Statement::Arc => words::motion(line) && round::close(line, spelling, &self.pole),
+            Statement::Arc => {
+                let Some(marks) = words::motion(line).filter(|marks| !marks.rapid) else { return false };
+                let code = marks.sense.and_then(|sense| round::close(line, spelling, sense, &self.pole));
+                let Some(code) = code else { return false };
+                line.orders.mode(Mode::Motion(code, 0));
+                composed(line, false)
+            }
             Statement::ToolCall => tool(line),
             Statement::ToolDef => matches!(tool_number(line), Ok(Some(_))) && ended(line),
             Statement::CycleDef => cycles::define(line),
-            Statement::CycleCall => {
-                line.draft.call = true;
-                words::codes(line)
-            }
+            Statement::CycleCall => words::codes(line) && composed(line, true),
             Statement::PlaneSpatial => plane::spatial(line),
             Statement::PlaneReset => plane::reset(line),
             Statement::TcpmOn => plane::tcpm(line),
             Statement::TcpmOff => {
-                line.draft.tip_control = Some(false);
+                line.orders.mode(Mode::TipControl(false));
                 ended(line)
             }
             Statement::Begin => !self.began && begin(line),
             Statement::EndOfProgram => {
-                line.draft.end = !self.ended;
+                if !self.ended {
+                    line.orders.act(Act::End);
+                }
                 line.at.take_rest();
                 true
             }
             Statement::Blank => blank(line),
             Statement::Stop => {
-                line.draft.stop = Some(false);
-                words::codes(line)
+                line.orders.act(Act::Stop { optional: false });
+                words::codes(line) && composed(line, false)
             }
             _ => false,
         }
     }
+}
+
+/// Makes orders of the words of a statement. `call`: it calls the defined cycle.
+fn composed(line: &mut Line<'_>, call: bool) -> bool {
+    line.compose(call);
+    true
 }
 
 /// Nothing but a comment comes.
@@ -149,22 +161,24 @@ fn ended(line: &mut Line<'_>) -> bool {
 
 /// `BEGIN PGM NAME MM`: the unit, and what is in force before anything is said.
 fn begin(line: &mut Line<'_>) -> bool {
-    let draft = &mut *line.draft;
-    draft.distances = Some(false);
-    draft.feed_mode = Some(FeedMode::PerMinute);
-    draft.side = Some(Side::None);
-    draft.units = match line.at.take_rest().trim_ascii_end().rsplit(|byte| *byte == b' ').next() {
-        Some(b"MM") => Some(Units::Millimetres),
-        Some(b"INCH") => Some(Units::Inches),
-        _ => None,
+    let units = match line.at.take_rest().trim_ascii_end().rsplit(|byte| *byte == b' ').next() {
+        Some(b"MM") => Units::Millimetres,
+        Some(b"INCH") => Units::Inches,
+        _ => return false,
     };
-    draft.units.is_some()
+    for mode in
+        [Mode::Incremental(false), Mode::FeedMode(FeedMode::PerMinute), Mode::Side(Side::None), Mode::Units(units)]
+    {
+        line.orders.mode(mode);
+    }
+    true
 }
 
 /// `BLK FORM 0.1 Z X-10 Y-10 Z-10`, `BLK FORM 0.2 X+10 Y+10 Z+0`, `BLK FORM CYLINDER Z R40 L50 DIST+0`.
 fn blank(line: &mut Line<'_>) -> bool {
-    line.draft.blank = blank_part(line).filter(|_| ended(line));
-    line.draft.blank.is_some()
+    let part = blank_part(line).filter(|_| ended(line));
+    part.into_iter().for_each(|part| line.orders.mode(Mode::Blank(part)));
+    part.is_some()
 }
 
 fn blank_part(line: &mut Line<'_>) -> Option<BlankPart> {
@@ -213,38 +227,38 @@ fn tool_number(line: &mut Line<'_>) -> Result<Option<u32>, ()> {
 fn tool(line: &mut Line<'_>) -> bool {
     let unit_mm = line.unit();
     let Ok(number) = tool_number(line) else { return false };
-    let (at, draft) = (&mut line.at, &mut *line.draft);
     if let Some(number) = number {
-        draft.tool = Some(number);
-        draft.change = true;
-        draft.length_with_tool = true;
-        at.blanks();
-        draft.plane = match at.peek() {
-            Some(b'Z') => Some(WorkPlane::Xy),
-            Some(b'Y') => Some(WorkPlane::Zx),
-            Some(b'X') => Some(WorkPlane::Yz),
+        line.at.blanks();
+        let plane = match line.at.peek() {
+            Some(b'Z') => WorkPlane::Xy,
+            Some(b'Y') => WorkPlane::Zx,
+            Some(b'X') => WorkPlane::Yz,
             _ => return false,
         };
-        at.skip(1);
+        line.at.skip(1);
+        for mode in [Mode::Tool(number), Mode::Change, Mode::LengthOfTool, Mode::Plane(plane)] {
+            line.orders.mode(mode);
+        }
+        line.orders.act(Act::ToolChange);
     }
-    let mut delta = draft.change.then_some(0.0);
-    let mut stated = false;
-    while !at.ended() && at.peek() != Some(b';') {
-        let name = at.letters();
-        let Some(number) = at.number() else { return false };
+    let (mut speed, mut stated) = (None, None);
+    while !ended(line) {
+        let name = line.at.letters();
+        let Some(word) = line.at.number() else { return false };
         let first = match name {
-            b"S" => draft.speed.replace(number.value).is_none(),
-            b"DL" => number.value == 0.0,
-            b"DR" => {
-                delta = Some(number.value * unit_mm);
-                !std::mem::replace(&mut stated, true)
-            }
+            b"S" => speed.replace(word.value).is_none(),
+            b"DL" => word.value == 0.0,
+            b"DR" => stated.replace(word.value * unit_mm).is_none(),
             _ => false,
         };
         if !first {
             return false;
         }
     }
-    draft.radius_delta_mm = Some(delta);
-    draft.change || draft.speed.is_some()
+    if speed.is_some_and(|speed| speed < 0.0) {
+        line.fault(0, "S is negative");
+    }
+    speed.into_iter().for_each(|speed| line.orders.mode(Mode::Speed(speed)));
+    line.orders.mode(Mode::RadiusDelta(stated.or(number.map(|_| 0.0))));
+    number.is_some() || speed.is_some()
 }

@@ -1,8 +1,8 @@
 //! Tilted planes, and a control that keeps the tip on its path.
 
-use super::super::draft::TiltCode;
 use super::super::frames;
 use super::super::line::Line;
+use super::super::orders::{Mode, TiltCode};
 use super::ended;
 
 /// How the rotary axes get to a plane.
@@ -31,7 +31,7 @@ struct Words {
 pub(super) fn reset(line: &mut Line<'_>) -> bool {
     let Some(positioning) = positioning(line) else { return false };
     let stays = positioning == Positioning::Stay;
-    line.draft.tilt = Some(if stays { TiltCode::Off } else { TiltCode::Zero });
+    line.tilt(if stays { TiltCode::Off } else { TiltCode::Zero });
     words(line, positioning).is_some_and(|words| words.pose.is_none() && words.coordinate_rotation.is_none())
 }
 
@@ -48,7 +48,7 @@ pub(super) fn spatial(line: &mut Line<'_>) -> bool {
     }
     let Some(positioning) = positioning(line) else { return false };
     let Some(words) = words(line, positioning) else { return false };
-    line.draft.tilt = Some(TiltCode::On {
+    line.tilt(TiltCode::On {
         rotation: frames::spatial(angles),
         origin: nalgebra::Vector3::zeros(),
         oriented: positioning != Positioning::Stay,
@@ -103,10 +103,13 @@ fn words(line: &mut Line<'_>, positioning: Positioning) -> Option<Words> {
 /// `FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS`: whether the tool axis rotates in a plane. With AXIS SPAT the words of
 /// rotary axes would be spatial angles, which nothing here is.
 pub(super) fn tcpm(line: &mut Line<'_>) -> bool {
-    line.draft.tip_control = Some(true);
+    line.orders.mode(Mode::TipControl(true));
     let at = &mut line.at;
     let positions = at.words("F TCP AXIS POS PATHCTRL");
     let in_plane = positions && at.word(b"VECTOR");
-    line.draft.in_plane = (positions && (in_plane || at.word(b"AXIS"))).then_some(in_plane);
-    line.draft.in_plane.is_some() && ended(line)
+    if !positions || !in_plane && !at.word(b"AXIS") {
+        return false;
+    }
+    line.orders.mode(Mode::InPlane(in_plane));
+    ended(line)
 }

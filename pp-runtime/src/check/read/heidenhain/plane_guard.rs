@@ -6,6 +6,7 @@
 
 use super::super::block::RotaryGuard;
 use super::super::line::Line;
+use super::super::orders::Mode;
 use super::super::text::{Cursor, whole};
 use super::guard::{Label, label};
 
@@ -54,7 +55,7 @@ impl PlaneGuardLines {
             }
         }
         if !self.is_open() {
-            line.draft.plane_guard = Some(std::mem::take(self).guard);
+            line.orders.mode(Mode::PlaneGuard(std::mem::take(self).guard));
         }
         true
     }

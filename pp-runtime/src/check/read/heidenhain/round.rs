@@ -1,10 +1,13 @@
-//! Arcs: C and CP go round the pole CC, CR has its radius; DR is the sense.
+//! Arcs: C and CP about the pole CC, CR with its radius; DR is the sense.
 
 use super::super::block::WorkPlane;
-use super::super::draft::Code;
+use super::super::language::Address;
 use super::super::line::Line;
+use super::super::orders::Code;
+use super::super::text::Number;
+use super::super::words::Counts;
 
-/// `CC X+.. Y+..`: puts the pole.
+/// `CC X+.. Y+..`: sets the pole.
 pub(super) fn centre(line: &mut Line<'_>, pole: &mut [Option<f64>; 3]) -> bool {
     *pole = [None; 3];
     while !line.at.ended() && line.at.peek() != Some(b';') {
@@ -23,29 +26,40 @@ pub(super) fn centre(line: &mut Line<'_>, pole: &mut [Option<f64>; 3]) -> bool {
     pole.iter().flatten().count() <= 2
 }
 
-/// What is missing for an arc when its words have been read: C has a pole, CR a radius, CP a pole and an angle.
-pub(super) fn close(line: &mut Line<'_>, spelling: &str, pole: &[Option<f64>; 3]) -> bool {
-    let draft = &mut *line.draft;
-    let forms = (draft.radius.is_some(), draft.sweep.is_some());
-    if draft.code.is_some() || forms != (spelling == "CR", spelling == "CP") {
-        return false;
+/// Code of an arc whose words have been read: C has a pole, CR a radius, CP a pole and an angle. `None` where one is missing.
+pub(super) fn close(
+    line: &mut Line<'_>,
+    spelling: &str,
+    counter_clockwise: bool,
+    pole: &[Option<f64>; 3],
+) -> Option<Code> {
+    let forms = (line.words.has(Address::Radius), line.words.has(Address::Angle));
+    if forms != (spelling == "CR", spelling == "CP") {
+        return None;
     }
-    let Some(sense) = draft.pitch.take() else { return false };
-    draft.code = Some(if sense > 0.0 { Code::CounterClockwise } else { Code::Clockwise });
-    if draft.radius.is_some() {
-        return true;
+    let code = if counter_clockwise { Code::CounterClockwise } else { Code::Clockwise };
+    if forms.0 {
+        return Some(code);
     }
     for (axis, value) in pole.iter().enumerate() {
         if let Some(value) = value {
-            draft.centre[axis] = *value;
-            draft.centre_written |= 1 << axis;
-            draft.centre_absolute |= 1 << axis;
+            add(line, (Address::Centre, axis), *value);
         }
     }
-    match draft.sweep {
-        Some(angle) => polar_end(line, angle, pole).is_some() && (angle > 0.0) == (sense > 0.0),
-        None => draft.centre_written != 0,
+    let angle = line.words.left().iter().find(|word| word.address == Address::Angle).map(|word| word.number.value);
+    match angle {
+        Some(angle) => {
+            polar_end(line, angle.to_radians(), pole)?;
+            ((angle > 0.0) == counter_clockwise).then_some(code)
+        }
+        None => pole.iter().any(Option::is_some).then_some(code),
     }
+}
+
+/// Adds a word that the pole stands for.
+fn add(line: &mut Line<'_>, address: (Address, usize), value: f64) {
+    let number = Number { value, point: true, negative: value < 0.0 };
+    line.word(b"CC", address, (number, Counts::Absolute), 0);
 }
 
 /// CP: the end in the plane follows from the angle.
@@ -59,7 +73,7 @@ fn polar_end(line: &mut Line<'_>, angle: f64, pole: &[Option<f64>; 3]) -> Option
     };
     let ((first, x), (second, y)) = (from_pole(u)?, from_pole(v)?);
     let (sine, cosine) = angle.sin_cos();
-    line.draft.axis(first, pole[u]? + x * cosine - y * sine);
-    line.draft.axis(second, pole[v]? + x * sine + y * cosine);
+    add(line, (Address::Axis, first), pole[u]? + x * cosine - y * sine);
+    add(line, (Address::Axis, second), pole[v]? + x * sine + y * cosine);
     Some(())
 }

@@ -1,20 +1,32 @@
 //! Words of a motion: axes, F, radius correction, sense of an arc, components of the tool axis, M codes.
 
 use super::super::block::Side;
-use super::super::draft::Code;
+use super::super::language::Address;
 use super::super::line::Line;
+use super::super::orders::Mode;
+use super::super::words::Counts;
 
-/// Takes the words up to the end of the line or a comment.
-pub(super) fn motion(line: &mut Line<'_>) -> bool {
+/// Words of a motion that are no numbers.
+#[derive(Debug, Default)]
+pub(super) struct Marks {
+    /// FMAX.
+    pub(crate) rapid: bool,
+    /// DR+, counter-clockwise, or DR-.
+    pub(crate) sense: Option<bool>,
+}
+
+/// Takes the words up to the end of the line or a comment; `None` where one is not known.
+pub(super) fn motion(line: &mut Line<'_>) -> Option<Marks> {
+    let mut marks = Marks::default();
     while !line.at.ended() && line.at.peek() != Some(b';') {
         let start = line.at.column();
-        if !word(line) && !rapid(line, start) && !side(line, start) && !sense(line, start) {
+        if !word(line) {
             line.at.go_to(start);
-            return false;
+            mark(line, &mut marks)?;
         }
     }
     // FMAX holds for its block, F from its block on: together they are no motion that is known.
-    line.draft.code != Some(Code::Rapid) || line.draft.feed.is_none()
+    (!marks.rapid || !line.words.has(Address::Feed)).then_some(marks)
 }
 
 /// M codes alone, up to the end of the line or a comment.
@@ -27,41 +39,28 @@ pub(super) fn codes(line: &mut Line<'_>) -> bool {
     true
 }
 
-/// `FMAX`.
-fn rapid(line: &mut Line<'_>, start: usize) -> bool {
-    line.at.go_to(start);
-    let found = line.at.word(b"FMAX");
-    if found {
-        let first = line.draft.code != Some(Code::Rapid);
-        line.draft.code = Some(Code::Rapid);
-        line.once(first, b"FMAX", start);
+/// `FMAX`; `R0`, `RL`, `RR`, one of them; `DR+`, `DR-`.
+fn mark(line: &mut Line<'_>, marks: &mut Marks) -> Option<()> {
+    let start = line.at.column();
+    if line.at.word(b"FMAX") {
+        if std::mem::replace(&mut marks.rapid, true) {
+            line.fault(start, "two FMAX words");
+        }
+        return Some(());
     }
-    found
-}
-
-/// `R0`, `RL`, `RR`; one of them.
-fn side(line: &mut Line<'_>, start: usize) -> bool {
-    line.at.go_to(start);
-    [(&b"R0"[..], Side::None), (b"RL", Side::Left), (b"RR", Side::Right)]
-        .into_iter()
-        .any(|(word, side)| line.at.word(word) && line.draft.side.replace(side).is_none())
-}
-
-/// `DR+`, `DR-`.
-fn sense(line: &mut Line<'_>, start: usize) -> bool {
-    line.at.go_to(start);
-    let sense = match line.at.rest() {
-        [b'D', b'R', b'+', ..] => 1.0,
-        [b'D', b'R', b'-', ..] => -1.0,
-        _ => return false,
+    let sides = [(&b"R0"[..], Side::None), (b"RL", Side::Left), (b"RR", Side::Right)];
+    if let Some((_, side)) = sides.into_iter().find(|(word, _)| line.at.word(word)) {
+        let first = !line.orders.has(|mode| matches!(mode, Mode::Side(_)));
+        line.orders.mode(Mode::Side(side));
+        return first.then_some(());
+    }
+    let plus = match line.at.rest() {
+        [b'D', b'R', b'+', ..] => true,
+        [b'D', b'R', b'-', ..] => false,
+        _ => return None,
     };
     line.at.skip(3);
-    line.draft.pitch.replace(sense).is_none()
-}
-
-/// `MB MAX` after M140: no other distance is known.
-fn end_of_travel(line: &mut Line<'_>) -> bool {
-    line.at.words("MB MAX") && line.draft.feed.is_none()
+    marks.sense.replace(plus).is_none().then_some(())
 }
 
 /// Letters and a number, with an `I` in front of those that are distances.
@@ -72,24 +71,23 @@ fn word(line: &mut Line<'_>) -> bool {
     let incremental = leading && !letters.is_empty();
     line.at.blanks();
     let Some(number) = line.at.number() else { return false };
-    if let Some(index) = line.axis(letters) {
-        let first = line.draft.axis(index, number.value);
-        if incremental {
-            line.draft.incremental |= 1 << index;
-        }
-        line.once(first, letters, start);
-        return true;
-    }
-    let first = match letters {
-        b"PA" if incremental => line.draft.sweep.replace(number.value.to_radians()).is_none(),
+    let counts = if incremental { Counts::Incremental } else { Counts::AsInForce };
+    let (address, index) = match (line.axis(letters), letters) {
+        (Some(index), _) => (Address::Axis, index),
+        (None, b"PA") if incremental => (Address::Angle, 0),
         _ if leading => return false,
-        b"F" => line.draft.feed.replace(number.value).is_none(),
-        b"TX" | b"TY" | b"TZ" => line.vector(usize::from(letters[1] - b'X'), number.value),
+        (None, b"F") => (Address::Feed, 0),
+        (None, b"TX" | b"TY" | b"TZ") => (Address::Vector, usize::from(letters[1] - b'X')),
         // R0 is the radius correction.
-        b"R" if number.negative || number.value > 0.0 => line.draft.radius.replace(number.value).is_none(),
-        b"M" => return line.code(b'M', number, start) && (!line.draft.end_of_travel || end_of_travel(line)),
-        _ => return false,
+        (None, b"R") if number.negative || number.value > 0.0 => (Address::Radius, 0),
+        (None, b"M") => {
+            let known = line.code(b'M', number, start);
+            // M140 has no distance but MB MAX.
+            let ends_at_limit = number.value == 140.0;
+            return known && (!ends_at_limit || line.at.words("MB MAX") && !line.words.has(Address::Feed));
+        }
+        (None, _) => return false,
     };
-    line.once(first, letters, start);
+    line.word(letters, (address, index), (number, counts), start);
     true
 }

@@ -6,6 +6,7 @@
 
 use super::super::block::{Guard, LengthSource};
 use super::super::line::Line;
+use super::super::orders::Mode;
 use super::super::text::{Cursor, same, shown, whole};
 
 /// Variables of geometry and wear of a length register: first numbers, and the number of registers.
@@ -98,7 +99,7 @@ impl Guards {
             match self.open.take() {
                 Some(Open::Condition { label: opened, mut guard, aborts }) if opened == label => {
                     guard.stops = aborts;
-                    line.draft.guard = Some(guard);
+                    line.orders.mode(Mode::Guard(guard));
                     if !aborts {
                         line.fault(0, "the length guard does not abort the program");
                     }
@@ -120,7 +121,7 @@ impl Guards {
         match register_condition(&mut line.at, unit) {
             Some((mut guard, None)) if is_alarm(line) => {
                 guard.stops = true;
-                line.draft.guard = Some(guard);
+                line.orders.mode(Mode::Guard(guard));
             }
             Some((guard, Some(target))) => self.open = Some(Open::Jump { target, guard, alarm: false }),
             _ => line.fault(
@@ -137,7 +138,7 @@ impl Guards {
         match &mut self.open {
             Some(Open::Jump { guard, alarm, .. }) if !*alarm && is_alarm(line) => {
                 *alarm = true;
-                line.draft.guard = Some(Guard { stops: true, ..*guard });
+                line.orders.mode(Mode::Guard(Guard { stops: true, ..*guard }));
             }
             _ => line.fault(0, "a variable is set or an alarm is raised without a condition"),
         }

@@ -1,11 +1,10 @@
 //! Lines of axis words and F alone, and of arcs whose code is in force: most lines of a program.
 
-use super::super::Vocabulary;
 use super::super::block::MAX_AXES;
-use super::super::draft::Draft;
 use super::super::language::{Address, Letters, letters};
 use super::super::machine::Interpreter;
 use super::super::text::{Cursor, Number, whole};
+use super::super::{Moves, Vocabulary};
 
 /// Meaning of the first byte of a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,10 +23,10 @@ const FEED: u8 = MAX_AXES as u8;
 const CENTRE: [u8; 3] = [FEED + 1, FEED + 2, FEED + 3];
 
 /// Bits of the words of axes.
-pub(super) const AXES: u32 = (1 << FEED) - 1;
+const AXES: u32 = (1 << FEED) - 1;
 
 /// Bits of the words that a line may have: those of the axes and F, and of I J K those among the letters.
-pub(super) fn permitted(centre: Letters) -> u32 {
+fn permitted(centre: Letters) -> u32 {
     const WITHOUT_CENTRE: u32 = (1 << CENTRE[0]) - 1;
     let centre = (centre & letters("IJK")) >> (b'I' - b'A');
     WITHOUT_CENTRE | centre << CENTRE[0]
@@ -61,27 +60,28 @@ impl MoveWords {
         }
     }
 
-    /// Reads a line of [`permitted`] words, each once and none in least increments, after a block number at most; `false` if
-    /// another word comes, or none of an axis. A function of its own, whose registers no other line needs.
+    /// Reads a line of words of axes and F, each once and none in least increments, after a block number at most; `false` if
+    /// another word comes, or none of an axis. `centre`: those of I J K that it may have; `normal`: an axis that it may not have. A
+    /// function of its own, whose registers no other line needs.
     #[inline(never)]
-    pub(super) fn read(&self, text: &[u8], permitted: u32, draft: &mut Draft) -> bool {
-        self.words::<true>(text, permitted, draft) || {
-            draft.forget_moves();
-            self.words::<false>(text, permitted, draft)
-        }
+    pub(super) fn read(&self, text: &[u8], (centre, normal): (Letters, Option<usize>), moves: &mut Moves) -> bool {
+        let without_normal = normal.map_or(!0, |normal| !(1 << normal));
+        let permitted = permitted(centre) & without_normal;
+        self.words::<true>(text, permitted, moves) || self.words::<false>(text, permitted, moves)
     }
 
     /// Takes the words; `SHORT`: none has a longer number than [`Cursor::short_number`] takes, as in nearly every line. A byte
     /// that goes on with its number is no part of such a line.
     #[inline(always)]
-    fn words<const SHORT: bool>(&self, text: &[u8], permitted: u32, draft: &mut Draft) -> bool {
+    fn words<const SHORT: bool>(&self, text: &[u8], permitted: u32, moves: &mut Moves) -> bool {
         let number = |at: &mut Cursor<'_>| if SHORT { at.short_number() } else { at.number() };
+        *moves = Moves::default();
         let mut at = Cursor::new(text);
         if at.peek().map(|byte| self.parts[usize::from(byte)]) == Some(Part::BlockNumber) {
             at.skip(1);
             let number = number(&mut at).filter(|number| !number.point && !number.negative);
-            draft.number = number.and_then(whole).map(u64::from);
-            if draft.number.is_none() {
+            moves.number = number.and_then(whole).map(u64::from);
+            if moves.number.is_none() {
                 return false;
             }
         }
@@ -97,16 +97,16 @@ impl MoveWords {
             let suits = |number: &Number| left & (1 << index) != 0 && (number.point || self.plain);
             let Some(number) = number(&mut at).filter(suits) else { return false };
             left &= !(1 << index);
-            match (draft.axes.get_mut(usize::from(index)), index) {
+            match (moves.motion.axes.values.get_mut(usize::from(index)), index) {
                 (Some(axis), _) => *axis = number.value,
-                (None, FEED) if number.value > 0.0 => draft.feed = Some(number.value),
+                (None, FEED) if number.value > 0.0 => moves.feed = Some(number.value),
                 (None, FEED) => return false,
-                (None, centre) => draft.centre[usize::from(centre - CENTRE[0])] = number.value,
+                (None, centre) => moves.motion.arc.centre[usize::from(centre - CENTRE[0])] = number.value,
             }
         }
         let written = permitted & !left;
-        draft.centre_written = (written >> CENTRE[0]) as u8;
-        draft.written = (written & AXES) as u16;
-        draft.written != 0
+        moves.motion.arc.written = (written >> CENTRE[0]) as u8;
+        moves.motion.axes.written = (written & AXES) as u16;
+        moves.motion.axes.written != 0
     }
 }

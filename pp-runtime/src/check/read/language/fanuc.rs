@@ -1,7 +1,8 @@
 //! Fanuc 30i and its kin.
 
 use super::super::block::coolant;
-use super::super::draft::{LengthCode, group};
+use super::super::orders::LengthCode;
+use super::group;
 use super::{Language, Means, Pattern, Plane, Row, Smoother, iso, sorted};
 use crate::program::Rotation;
 
@@ -18,7 +19,8 @@ const OWN: &[Row] = &[
         "Fanuc B-63944EN/02 (2004), AI contour control (from memory)",
     )
     .needs("Q")
-    .takes("R"),
+    .takes("R")
+    .alone(),
     Row::new("G43.4", Means::Length(LengthCode::TipControl), group::LENGTH, "Fanuc A-79294E, p. 11; A-79348E, p. 16")
         .needs("H")
         .takes("P"),
@@ -44,7 +46,7 @@ const OWN: &[Row] = &[
     Row::new("M7", Means::CoolantOn(coolant::MIST), group::COOLANT, M),
     Row::new("M13", Means::SpindleAndFlood(Rotation::Clockwise), group::SPINDLE, M),
     Row::new("M14", Means::SpindleAndFlood(Rotation::CounterClockwise), group::SPINDLE, M),
-    Row::new("M29", Means::Rigid, group::RIGID, RIGID).needs("S"),
+    Row::new("M29", Means::Rigid, group::RIGID, RIGID).needs("S").alone(),
 ];
 
 const COUNT: usize = iso::ROWS.len() + iso::OF_TWO.len() + OWN.len();

@@ -1,7 +1,8 @@
 //! Haas NGC.
 
 use super::super::block::coolant;
-use super::super::draft::{LengthCode, group};
+use super::super::orders::LengthCode;
+use super::group;
 use super::{Language, Means, Pattern, Plane, Row, Smoother, iso, sorted};
 
 const G: &str = "Haas 96-8000 (mill operator's manual), G codes; haascnc.com, page of the code";
@@ -17,7 +18,7 @@ const OWN: &[Row] = &[
         .takes("PIJ"),
     Row::new("G84", Means::Hole(Pattern::Tap { left: false }), group::MOTION, G).needs("R"),
     Row::new("G154", Means::FurtherOffset, group::OFFSET, G).needs("P"),
-    Row::new("G187", Means::Smoothing(Smoother::Level), group::SMOOTHING, G).takes("PE"),
+    Row::new("G187", Means::Smoothing(Smoother::Level), group::SMOOTHING, G).takes("PE").alone(),
     Row::new("G254", Means::DynamicOffset(true), group::DYNAMIC_OFFSET, DYNAMIC),
     Row::new("G255", Means::DynamicOffset(false), group::DYNAMIC_OFFSET, DYNAMIC),
     Row::new("G234", Means::Length(LengthCode::TipControl), group::LENGTH, UMC).needs("H"),

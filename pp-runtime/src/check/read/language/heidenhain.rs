@@ -1,8 +1,8 @@
 //! Heidenhain TNC 640 and iTNC 530, conversational.
 
 use super::super::block::{FeedMode, coolant};
-use super::super::draft::group;
 use super::arguments::HEIDENHAIN;
+use super::group;
 use super::{Address, Language, Means, Row, Statement, sorted};
 use crate::program::Rotation;
 

@@ -1,7 +1,8 @@
 //! Rows that LinuxCNC, Fanuc and Haas share, and address letters.
 
 use super::super::block::{FeedMode, Side, WorkPlane, coolant};
-use super::super::draft::{Code, LengthCode, group};
+use super::super::orders::{Code, LengthCode};
+use super::group;
 use super::{Address, Means, PathCode, Pattern, Row, Statement};
 use crate::program::{Rotation, Units};
 

@@ -1,7 +1,8 @@
 //! LinuxCNC.
 
 use super::super::block::coolant;
-use super::super::draft::{Code, group};
+use super::super::orders::Code;
+use super::group;
 use super::{Language, Means, PathCode, Pattern, Row, Statement, iso, sorted};
 
 const G: &str = "LinuxCNC 2.9 G-code documentation";

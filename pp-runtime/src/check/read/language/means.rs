@@ -1,7 +1,7 @@
 //! Meanings of codes and words: what the interpreter executes, and what the tables print.
 
 use super::super::block::{FeedMode, Side, WorkPlane};
-use super::super::draft::{Code, LengthCode};
+use super::super::orders::{Code, LengthCode};
 use crate::program::{Rotation, Units};
 
 /// Meaning of a code or a word.

@@ -22,7 +22,39 @@ pub(super) use means::{Address, Means, PathCode, Pattern, Plane, Smoother, State
 pub(crate) use print::table;
 
 use super::Family;
-use super::draft::group;
+use super::orders::Order;
+
+/// Groups of codes of which a block may hold one, by number.
+pub(super) mod group {
+    pub(in super::super) const MOTION: u32 = 0;
+    pub(in super::super) const PLANE: u32 = 1;
+    pub(in super::super) const DISTANCE: u32 = 2;
+    pub(in super::super) const FEED: u32 = 3;
+    pub(in super::super) const UNITS: u32 = 4;
+    pub(in super::super) const SIDE: u32 = 5;
+    pub(in super::super) const LENGTH: u32 = 6;
+    pub(in super::super) const OFFSET: u32 = 7;
+    pub(in super::super) const RETURN: u32 = 8;
+    pub(in super::super) const PATH: u32 = 9;
+    pub(in super::super) const TILT: u32 = 10;
+    pub(in super::super) const ALONE: u32 = 11;
+    pub(in super::super) const STOP: u32 = 12;
+    pub(in super::super) const SPINDLE: u32 = 13;
+    pub(in super::super) const CENTRE: u32 = 14;
+    pub(in super::super) const COOLANT: u32 = 16;
+    pub(in super::super) const CHANGE: u32 = 17;
+    pub(in super::super) const SMOOTHING: u32 = 18;
+    pub(in super::super) const RIGID: u32 = 19;
+    pub(in super::super) const TIP: u32 = 20;
+    pub(in super::super) const WAY: u32 = 21;
+    pub(in super::super) const CALL: u32 = 22;
+    pub(in super::super) const WINDOW: u32 = 23;
+    pub(in super::super) const POSTURE: u32 = 24;
+    pub(in super::super) const FRAME: u32 = 25;
+    pub(in super::super) const DYNAMIC_OFFSET: u32 = 26;
+    /// Codes of no modal group.
+    pub(in super::super) const FREE: u32 = 31;
+}
 
 /// Letters A to Z as bits.
 pub(super) type Letters = u32;
@@ -43,6 +75,10 @@ pub(super) struct Row {
     pub(crate) takes: Letters,
     /// Address words that its block must have.
     pub(crate) needs: Letters,
+    /// When a function acts in a block that moves, where it is not as the other functions of the control.
+    pub(crate) order: Option<Order>,
+    /// It needs a block of its own.
+    pub(crate) alone: bool,
     /// Manual with edition and page or section, or a public post.
     source: &'static str,
 }
@@ -51,12 +87,31 @@ impl Row {
     /// A code or a word that takes no address words.
     const fn new(spelling: &'static str, means: Means, group: u32, source: &'static str) -> Self {
         let key = key(spelling);
-        Self { spelling, key, last: key, means, group, takes: 0, needs: 0, source }
+        Self { spelling, key, last: key, means, group, takes: 0, needs: 0, order: None, alone: false, source }
     }
 
     /// A statement or a word that is no G or M code.
     const fn word(spelling: &'static str, means: Means, source: &'static str) -> Self {
-        Self { spelling, key: 0, last: 0, means, group: group::FREE, takes: 0, needs: 0, source }
+        Self { key: 0, last: 0, ..Self::new("G0", means, group::FREE, source) }.spelled(spelling)
+    }
+
+    const fn spelled(self, spelling: &'static str) -> Self {
+        Self { spelling, ..self }
+    }
+
+    /// When the function acts.
+    const fn acts(self, order: Order) -> Self {
+        Self { order: Some(order), ..self }
+    }
+
+    /// It needs a block of its own.
+    const fn alone(self) -> Self {
+        Self { alone: true, ..self }
+    }
+
+    /// Whether it is an M code.
+    pub(crate) const fn is_miscellaneous(&self) -> bool {
+        self.key >> 24 == b'M' as u32
     }
 
     /// The modal group of a word.

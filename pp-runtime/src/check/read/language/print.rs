@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 
 use super::super::Family;
-use super::super::draft::group;
 use super::arguments::{List, Role};
+use super::group;
 use super::{Language, Letters, Row};
 
 /// Names of the columns.

@@ -1,8 +1,9 @@
 //! Siemens 840D sl and ONE.
 
 use super::super::block::{FeedMode, Side, WorkPlane, coolant};
-use super::super::draft::{Code, group};
+use super::super::orders::Code;
 use super::arguments::SIEMENS;
+use super::group;
 use super::{Address, Language, Means, PathCode, Row, Statement, sorted};
 use crate::program::{Rotation, Units};
 
@@ -83,13 +84,13 @@ const WORDS: &[Row] = &[
     Row::word("AR", Means::Address(Address::Angle), G),
     Row::word("TURN", Means::Address(Address::Turns), G),
     Row::word("SUPA", Means::Machine, G).of(group::ALONE),
-    Row::word("TRAORI", Means::TipControl(true), JOBS).of(group::TIP),
-    Row::word("TRAFOOF", Means::TipControl(false), JOBS).of(group::TIP),
+    Row::word("TRAORI", Means::TipControl(true), JOBS).of(group::TIP).alone(),
+    Row::word("TRAFOOF", Means::TipControl(false), JOBS).of(group::TIP).alone(),
     Row::word("ORIAXES", Means::Interpolation { in_plane: false }, JOBS).of(group::POSTURE),
     Row::word("ORIVECT", Means::Interpolation { in_plane: true }, JOBS).of(group::POSTURE),
     Row::word("ORIMKS", Means::Frame { in_workpiece: false }, JOBS).of(group::FRAME),
     Row::word("ORIWKS", Means::Frame { in_workpiece: true }, JOBS).of(group::FRAME),
-    Row::word("MCALL", Means::Statement(Statement::ModalCall), JOBS),
+    Row::word("MCALL", Means::Statement(Statement::ModalCall), JOBS).of(group::CALL).alone(),
     Row::word("RET", Means::End, JOBS).of(group::STOP),
     Row::word("STOPRE", Means::Harmless("look-ahead stops: the blocks before are executed first"), JOBS),
     Row::word(

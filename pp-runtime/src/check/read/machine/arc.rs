@@ -1,25 +1,25 @@
-//! Circles and helices as a block says them: centre and angle from I J K, from a radius, or from a polar angle.
+//! Circles and helices as a block programs them: centre and angle from I J K, from a radius, or from a polar angle.
 //!
 //! In the plane the first axis turns towards the second about the normal: X to Y (G17), Z to X (G18), Y to Z (G19).
 
 use std::f64::consts::TAU;
 
 use super::super::block::{ArcMove, MAX_AXES};
-use super::super::draft::Draft;
+use super::super::orders::ArcWords;
 use super::Interpreter;
 use crate::check::tolerances::{EQUAL_RADII, FULL_CIRCLE, RADIUS_BELOW_HALF_CHORD};
 use crate::kinematics::math::hypot;
 
 /// The arc of a block from where the axes stood to where the interpreter has put them.
 pub(super) fn of(
-    draft: &Draft,
+    words: &ArcWords,
     machine: &Interpreter,
     (from, known): ([f64; MAX_AXES], u16),
     clockwise: bool,
 ) -> Result<ArcMove, String> {
     let Some(plane) = machine.state.plane else { return Err("arc without a working plane".to_owned()) };
     let [u, v, w] = plane.axes();
-    let (Some(first), Some(second)) = (machine.linear[u], machine.linear[v]) else {
+    let (Some(first), Some(second)) = (machine.axes.linear[u], machine.axes.linear[v]) else {
         return Err("arc in a plane for which the machine has no linear axes".to_owned());
     };
     let (end, bits) = (machine.position(), 1 << first | 1 << second);
@@ -28,43 +28,39 @@ pub(super) fn of(
     }
     let start = [from[first], from[second]];
     let stop = [end[first], end[second]];
-    let centre = match draft.radius {
-        Some(radius) if draft.centre_written == 0 => by_radius(start, stop, radius * machine.unit(), clockwise)?,
+    let centre = match words.radius {
+        Some(radius) if words.written == 0 => by_radius(start, stop, radius * machine.unit(), clockwise)?,
         Some(_) => return Err("arc with both a radius and a centre".to_owned()),
-        None => by_centre(draft, machine.unit(), start, [u, v, w])?,
+        None => by_centre(words, machine.unit(), start, [u, v, w])?,
     };
-    let mut sweep = match draft.sweep {
+    let mut sweep = match words.sweep {
         Some(sweep) => sweep,
         None => turn(start, stop, centre, clockwise),
     };
     let radii = [start, stop].map(|[x, y]| hypot(x - centre[0], y - centre[1]));
-    let largest = EQUAL_RADII + 3.0 * machine.rounding;
+    let largest = EQUAL_RADII + 3.0 * machine.axes.rounding;
     if (radii[0] - radii[1]).abs() > largest || radii[0] < FULL_CIRCLE {
         return Err(format!(
             "start and end of the arc are {:.4} and {:.4} mm from its centre: expected equal radii above 0",
             radii[0], radii[1]
         ));
     }
-    sweep += f64::from(draft.turns) * TAU.copysign(sweep);
+    sweep += f64::from(words.turns) * TAU.copysign(sweep);
     let mut all = [0.0; 3];
     all[u] = centre[0];
     all[v] = centre[1];
-    Ok(ArcMove { centre: all, sweep, by_angle: draft.sweep.is_some() })
+    Ok(ArcMove { centre: all, sweep, by_angle: words.sweep.is_some() })
 }
 
-fn by_centre(draft: &Draft, unit: f64, start: [f64; 2], [u, v, w]: [usize; 3]) -> Result<[f64; 2], String> {
-    if draft.centre_written & (1 << w) != 0 {
+fn by_centre(words: &ArcWords, unit: f64, start: [f64; 2], [u, v, w]: [usize; 3]) -> Result<[f64; 2], String> {
+    if words.written & (1 << w) != 0 {
         return Err("arc with a centre outside its plane".to_owned());
     }
-    if draft.centre_written == 0 {
+    if words.written == 0 {
         return Err("arc without a centre or a radius".to_owned());
     }
     let coordinate = |axis: usize, from: f64| {
-        if draft.centre_absolute & (1 << axis) == 0 {
-            from + draft.centre[axis] * unit
-        } else {
-            draft.centre[axis] * unit
-        }
+        if words.absolute & (1 << axis) == 0 { from + words.centre[axis] * unit } else { words.centre[axis] * unit }
     };
     Ok([coordinate(u, start[0]), coordinate(v, start[1])])
 }

@@ -1,18 +1,20 @@
-//! What the words of a block bring about: the one state machine behind every family of controls.
+//! Executes the orders of blocks: one state machine for all families of controls.
 //!
-//! Order of a block: unit, feed, spindle speed, tool, spindle, coolant, plane, compensation, offsets, tilt and tip control,
-//! distances, motion, stop; what the user declares of a line comes last. Words become mm and rad here. The position of an axis is
-//! known only while nothing has happened that may have moved it or its zero.
+//! Words become mm and rad here. The position of an axis is known only while nothing has happened that may have moved it or its
+//! zero. What the user declares of a line comes last.
 
 mod arc;
+mod hole;
 mod modes;
 mod motion;
 
 use super::super::policy::RolloverRule;
 use super::block::{Action, Block, MAX_AXES, State, TipControl, stated};
-use super::draft::{Code, Cycle, Draft, LengthCode, TiltCode, effect, fault};
 use super::facts::{Facts, Form};
+use super::language::{Letters, Pattern};
+use super::orders::{Act, Code, Cycle, Mode, Motion, Orders, effect, fault};
 use crate::program::Units;
+use hole::Canned;
 
 /// One axis of the machine as the program names it.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,10 +25,10 @@ pub(crate) struct AxisName {
     pub(crate) rollover: Option<RolloverRule>,
 }
 
-/// State and position of a control.
+/// The axes of the machine, and what is known of the set-up.
 #[derive(Debug, Clone)]
-pub(super) struct Interpreter {
-    axes: Vec<AxisName>,
+struct Axes {
+    names: Vec<AxisName>,
     /// Rotary axes: bits by position.
     rotary: u16,
     /// The set-up has rules for rotary axes beyond a revolution.
@@ -35,20 +37,62 @@ pub(super) struct Interpreter {
     linear: [Option<usize>; 3],
     /// Position of the axis with a name of one letter, A to Z.
     by_letter: [Option<u8>; 26],
+    /// Half a unit of a linear word, mm: how far ends of arcs are rounded.
+    rounding: f64,
+}
+
+/// Modes of motions and cycles.
+#[derive(Debug, Clone, Copy, Default)]
+struct MotionModes {
+    /// The motion code in force, and the letters that it takes.
+    code: Option<Code>,
+    takes: Letters,
+    /// I J K are the tool axis (G43.5).
+    vectors: bool,
+    /// The defined cycle.
+    cycle: Option<Cycle>,
+    /// The cycle after each motion (MCALL).
+    each_point: Option<Cycle>,
+    /// The words of the canned cycle in force.
+    canned: Option<Canned>,
+    /// The level before it.
+    initial: Option<f64>,
+    /// The next thread is cut in step with the spindle (M29), and its block must come next.
+    rigid: bool,
+    thread_due: bool,
+}
+
+impl MotionModes {
+    /// What is the same in others.
+    fn and(&self, other: &Self) -> Self {
+        fn same<T: PartialEq>(one: Option<T>, other: Option<T>) -> Option<T> {
+            if one == other { one } else { None }
+        }
+        Self {
+            code: same(self.code, other.code),
+            takes: self.takes & other.takes,
+            vectors: self.vectors && other.vectors,
+            cycle: same(self.cycle, other.cycle),
+            each_point: same(self.each_point, other.each_point),
+            canned: same(self.canned, other.canned),
+            initial: same(self.initial, other.initial),
+            rigid: false,
+            thread_due: false,
+        }
+    }
+}
+
+/// State and position of a control.
+#[derive(Debug, Clone)]
+pub(super) struct Interpreter {
+    axes: Axes,
     facts: Facts,
     state: State,
     values: [f64; MAX_AXES],
     known: u16,
-    /// The motion code in force.
-    modal: Option<Code>,
+    motion: MotionModes,
     /// Bits of [`stated`], since a complete state began.
     stated: u8,
-    /// The cycle that is defined.
-    cycle: Option<Cycle>,
-    /// The level before the cycle.
-    initial: Option<f64>,
-    /// Half a unit of a linear word, mm: how far ends of arcs are rounded.
-    rounding: f64,
     frames: Frames,
 }
 
@@ -75,7 +119,7 @@ impl Frames {
         self.stated |= frame;
     }
 
-    /// A line of the user may have switched either.
+    /// A line of the user may have switched any.
     fn lose(&mut self) {
         self.unknown = Self::TIP_CONTROL | Self::PLANE | Self::DYNAMIC_OFFSET & self.used;
         self.stated = 0;
@@ -87,29 +131,31 @@ impl Frames {
     }
 }
 
-impl Interpreter {
-    pub(super) fn new(axes: Vec<AxisName>, facts: Facts, rounding: f64) -> Self {
-        let linear = [b"X", b"Y", b"Z"].map(|name| axes.iter().position(|axis| axis.name == name));
-        let by_letter = std::array::from_fn(|letter| {
-            let index = axes.iter().position(|axis| axis.name == [b'A' + letter as u8])?;
-            u8::try_from(index).ok()
-        });
-        let rotary = axes.iter().enumerate().filter(|(_, axis)| axis.rotary);
+impl Axes {
+    fn new(names: Vec<AxisName>, rounding: f64) -> Self {
+        let position = |name: &[u8]| names.iter().position(|axis| axis.name == name);
+        let rotary = names.iter().enumerate().filter(|(_, axis)| axis.rotary);
         Self {
             rotary: rotary.fold(0, |bits, (index, _)| bits | 1 << index),
-            has_rollover: axes.iter().any(|axis| axis.rollover.is_some()),
-            axes,
-            linear,
-            by_letter,
+            has_rollover: names.iter().any(|axis| axis.rollover.is_some()),
+            linear: [b"X", b"Y", b"Z"].map(|name| position(name)),
+            by_letter: std::array::from_fn(|letter| u8::try_from(position(&[b'A' + letter as u8])?).ok()),
+            rounding,
+            names,
+        }
+    }
+}
+
+impl Interpreter {
+    pub(super) fn new(axes: Vec<AxisName>, facts: Facts, rounding: f64) -> Self {
+        Self {
+            axes: Axes::new(axes, rounding),
             facts,
             state: State::default(),
             values: [0.0; MAX_AXES],
             known: 0,
-            modal: None,
+            motion: MotionModes::default(),
             stated: 0,
-            cycle: None,
-            initial: None,
-            rounding,
             frames: Frames::default(),
         }
     }
@@ -128,12 +174,7 @@ impl Interpreter {
         let same = (0..MAX_AXES).filter(|&index| self.values[index].to_bits() == before.values[index].to_bits());
         self.known &= before.known & same.fold(0, |bits, index| bits | 1 << index);
         self.stated &= before.stated;
-        if self.modal != before.modal {
-            self.modal = None;
-        }
-        if self.cycle != before.cycle {
-            self.cycle = None;
-        }
+        self.motion = self.motion.and(&before.motion);
         let (now, then) = (&mut self.state, &before.state);
         self.frames.unknown |= before.frames.unknown;
         self.frames.used |= before.frames.used;
@@ -155,21 +196,26 @@ impl Interpreter {
 
     /// Axis by its position in the chain.
     pub(super) fn axis(&self, index: usize) -> &AxisName {
-        &self.axes[index]
+        &self.axes.names[index]
     }
 
     /// Position in the chain of an axis, by its name in the program.
     #[inline]
     pub(super) fn axis_named(&self, name: &[u8]) -> Option<usize> {
         if let [letter @ b'A'..=b'Z'] = name {
-            return self.by_letter[usize::from(letter - b'A')].map(usize::from);
+            return self.axes.by_letter[usize::from(letter - b'A')].map(usize::from);
         }
-        self.axes.iter().position(|axis| axis.name == name)
+        self.axes.names.iter().position(|axis| axis.name == name)
+    }
+
+    /// Rotary axes: bits by position.
+    pub(super) fn rotary(&self) -> u16 {
+        self.axes.rotary
     }
 
     /// Positions in the chain of X Y Z.
     pub(super) fn linear(&self) -> [Option<usize>; 3] {
-        self.linear
+        self.axes.linear
     }
 
     /// Position of an axis, if it is known.
@@ -182,65 +228,96 @@ impl Interpreter {
         self.state.units.map_or(1.0, Units::in_mm)
     }
 
-    /// Does what a draft says and leaves it in the block.
-    pub(super) fn execute(&mut self, draft: &Draft, block: &mut Block) {
-        block.number = draft.number;
-        block.written = draft.written;
-        block.only_moves = draft.only_moves && draft.speed.is_none() && draft.effects == 0;
-        let straight = match self.modal {
-            Some(Code::Feed) => Some(Action::Feed),
-            Some(Code::Rapid) => Some(Action::Rapid),
+    /// The motion code in force, and the letters that it takes.
+    pub(super) fn motion_code(&self) -> (Option<Code>, Letters) {
+        (self.motion.code, self.motion.takes)
+    }
+
+    /// Whether I J K are the tool axis.
+    pub(super) fn has_vectors(&self) -> bool {
+        self.motion.vectors
+    }
+
+    /// Letters of I J K that a line of words alone may have, and whether it may have the word along the normal of the plane. `None`
+    /// where such a line may do more than move axes.
+    pub(super) fn words_of_moves(&self) -> Option<(Letters, Option<usize>)> {
+        let MotionModes { code, takes, vectors, canned, rigid, thread_due, .. } = &self.motion;
+        match code {
+            _ if *rigid || *thread_due || self.frames.unknown != 0 => None,
+            Some(Code::Cycle) if canned.is_some() => Some((0, self.normal())),
+            Some(Code::Rapid | Code::Feed) => Some((0, None)),
+            Some(Code::Clockwise | Code::CounterClockwise) => Some((if *vectors { 0 } else { *takes }, None)),
             _ => None,
-        };
-        match straight.filter(|_| self.moves_alone(draft)) {
-            Some(action) => self.move_along(action, draft, block),
-            None => self.carry_out(draft, block),
         }
-        debug_assert!(block.state == self.state, "{:?} {:?}", block.state, self.state);
     }
 
-    /// Whether a draft does nothing but move axes, and where it counts is known: most blocks.
-    fn moves_alone(&self, draft: &Draft) -> bool {
-        let is_straight = draft.centre_written == 0 && draft.define.is_none();
-        draft.is_moves && is_straight && self.frames.unknown == 0 && self.facts.motion_modal
-    }
-
-    /// Moves the axes of a draft that does nothing else.
-    fn move_along(&mut self, action: Action, draft: &Draft, block: &mut Block) {
-        (block.action, block.frame_faults, block.restart) = (action, 0, false);
+    /// Moves the axes by a line of words of axes and F alone.
+    pub(super) fn move_along(&mut self, motion: &Motion, feed: Option<f64>, block: &mut Block) {
+        (block.written, block.only_moves) = (motion.axes.written, true);
+        (block.frame_faults, block.restart, block.early, block.goes_on) = (0, false, None, false);
         (block.guard, block.radius_guard_mm, block.plane_guard, block.blank) = (None, None, None, None);
         (block.known_before, block.stated) = (self.known, self.stated);
-        self.set_feed_and_speed(draft);
-        let in_plane = self.state.tilt.is_some().then_some((self.values, self.known));
-        self.place(draft, false, &mut block.faults);
-        if let Some(from) = in_plane {
-            self.left_plane(draft.written & self.rotary, from);
+        self.set_feed(feed);
+        block.action = self.moving(motion, block);
+        if self.facts.stops_spindle(&block.action) {
+            self.stated &= !stated::SPINDLE;
+            block.stated = self.stated;
         }
         (block.values, block.known) = (self.values, self.known);
         block.state.take_moves(&self.state);
+        debug_assert!(block.state == self.state, "{:?} {:?}", block.state, self.state);
     }
 
-    /// Does whatever a draft says.
-    fn carry_out(&mut self, draft: &Draft, block: &mut Block) {
-        block.frame_faults = draft.frame_faults;
-        block.restart = draft.restart || draft.units.is_some();
-        block.guard = draft.guard;
-        block.radius_guard_mm = draft.radius_guard_mm;
-        block.plane_guard = draft.plane_guard;
-        block.blank = draft.blank;
-        block.action = Action::Nothing;
-        if draft.only_moves {
-            self.set_feed_and_speed(draft);
-        } else if draft.groups != 0 || draft.written != 0 || draft.vector_written != 0 {
-            self.set_state(draft, &mut block.faults);
+    /// Executes the modes of a block and its first act.
+    pub(super) fn begin(&mut self, orders: &Orders, block: &mut Block) {
+        block.number = orders.number;
+        block.frame_faults = orders.frame_faults;
+        block.only_moves = orders.only_moves();
+        block.restart = orders.has(|mode| matches!(mode, Mode::Restart | Mode::Units(_)));
+        (block.guard, block.radius_guard_mm, block.plane_guard, block.blank) = (None, None, None, None);
+        (block.early, block.goes_on) = (None, false);
+        self.thread(orders, block);
+        if self.state.feed_mode == Some(super::block::FeedMode::InverseTime) && orders.speaks {
+            self.state.feed = None;
         }
+        self.set_modes(&orders.modes, block);
+        if !orders.either.is_empty() {
+            let before = self.state;
+            self.set_modes(&orders.either, block);
+            block.early = (before != self.state && !orders.acts.is_empty()).then(|| Box::new(before));
+        }
+        self.state_bits(orders, block.restart);
+        self.code_alone(orders, &mut block.faults);
+        self.act(orders, 0, block);
+    }
+
+    /// Executes a further act of a block, or the functions after its acts; `false` if there is none.
+    pub(super) fn go_on(&mut self, orders: &Orders, step: usize, block: &mut Block) -> bool {
+        if step == orders.acts.len() && orders.late.is_empty() {
+            return false;
+        }
+        block.faults.clear();
+        (block.own, block.goes_on, block.frame_faults) = (None, true, 0);
+        (block.restart, block.only_moves, block.early) = (false, false, None);
+        (block.guard, block.radius_guard_mm, block.plane_guard, block.blank) = (None, None, None, None);
+        self.act(orders, step, block);
+        true
+    }
+
+    /// Executes one act of a block; after the last one its functions, where it has no act, and its declared effects.
+    fn act(&mut self, orders: &Orders, step: usize, block: &mut Block) {
         block.known_before = self.known;
-        if !draft.only_moves {
-            self.state_bits(draft, block.restart);
+        (block.action, block.written) = (Action::Nothing, 0);
+        if step == orders.acts.len() {
+            self.set_modes(&orders.late, block);
         }
         block.stated = self.stated;
-        self.act(draft, block);
-        leftovers(draft, block);
+        let mut machine_values = None;
+        if let Some(act) = orders.acts.get(step) {
+            block.values = self.values;
+            block.action = self.carry_out(act, block);
+            machine_values = block.action.leaves_words().then_some(block.values);
+        }
         if self.frames.unknown != 0 {
             self.in_unknown_frame(block);
         }
@@ -248,38 +325,85 @@ impl Interpreter {
             self.stated &= !stated::SPINDLE;
             block.stated = self.stated;
         }
-        self.suffer(draft.effects, block);
-        block.values = self.act_values(block);
+        if step + 1 >= orders.acts.len() {
+            self.suffer(orders.effects, block);
+            if !self.facts.motion_modal {
+                self.motion.code = None;
+            }
+        }
+        // Machine coordinates stay in the block alone.
+        block.values = machine_values.unwrap_or(self.values);
         block.known = self.known;
-        // The block has the state of the block before.
-        if draft.only_moves && draft.effects == 0 {
-            block.state.take_moves(&self.state);
-        } else {
-            block.state = self.state;
+        block.state = self.state;
+    }
+
+    fn carry_out(&mut self, act: &Act, block: &mut Block) -> Action {
+        match act {
+            Act::ToolChange => Action::ToolChange,
+            Act::Dwell(seconds) => Action::Dwell(*seconds),
+            Act::Orient => Action::Orient,
+            Act::Reference(words) => self.reference(words, block),
+            Act::Machine(words) => self.machine_block(words, block),
+            Act::EndOfTravel => self.end_of_travel(block),
+            Act::Move(motion) => {
+                block.written = motion.axes.written;
+                self.moving(motion, block)
+            }
+            Act::Hole => self.hole(&mut block.faults),
+            Act::Stop { optional } => {
+                self.known = 0;
+                if *optional { Action::OptionalStop } else { Action::Stop }
+            }
+            Act::End => Action::End,
         }
     }
 
-    /// Notes what a block says in so many words.
-    fn state_bits(&mut self, draft: &Draft, restart: bool) {
+    /// After M29 its thread comes.
+    fn thread(&mut self, orders: &Orders, block: &mut Block) {
+        let is_thread = |mode: &Mode| matches!(mode, Mode::Canned(words) if matches!(words.begins, Some(Pattern::TapAfterRigid { .. })));
+        if !orders.speaks && block.faults.is_empty() {
+            return;
+        }
+        if std::mem::take(&mut self.motion.thread_due) && !orders.has(is_thread) {
+            block.faults.insert(
+                block.frame_faults,
+                super::block::Fault {
+                    column: 1,
+                    text: "M29 in the block before: expected its thread here, G84 or G74".to_owned(),
+                },
+            );
+            block.frame_faults += 1;
+        }
+        self.motion.thread_due = orders.has(|mode| *mode == Mode::Rigid) && !orders.has(is_thread);
+    }
+
+    /// Records the states that the block programs explicitly.
+    fn state_bits(&mut self, orders: &Orders, restart: bool) {
         if restart {
             self.stated = 0;
         }
-        let modes = draft.units.is_some()
-            && draft.plane.is_some()
-            && draft.distances.is_some()
-            && draft.side.is_some()
-            && draft.feed_mode.is_some();
-        if modes && self.facts.frames_are_options {
-            self.frames.complete();
+        let (mut modes, mut bits) = (0_u8, 0);
+        for mode in orders.all_modes() {
+            match mode {
+                Mode::Units(_) => modes |= 1,
+                Mode::Plane(_) => modes |= 2,
+                Mode::Incremental(_) => modes |= 4,
+                Mode::Side(_) => modes |= 8,
+                Mode::FeedMode(_) => modes |= 16,
+                Mode::Spindle(_) => bits |= stated::SPINDLE,
+                Mode::CoolantOn(_) | Mode::CoolantOff(_) => bits |= stated::COOLANT,
+                Mode::Length(code, _) if *code != super::orders::LengthCode::Off => bits |= stated::LENGTH,
+                Mode::WorkOffset(_) => bits |= stated::OFFSET,
+                _ => {}
+            }
         }
-        let said = [
-            (draft.spindle.is_some(), stated::SPINDLE),
-            (draft.coolant_on | draft.coolant_off != 0, stated::COOLANT),
-            (draft.length.is_some_and(|code| code != LengthCode::Off), stated::LENGTH),
-            (draft.work_offset.is_some(), stated::OFFSET),
-            (modes, stated::MODES),
-        ];
-        self.stated |= said.iter().filter(|(said, _)| *said).fold(0, |bits, (_, bit)| bits | bit);
+        if modes == 31 {
+            bits |= stated::MODES;
+            if self.facts.frames_are_options {
+                self.frames.complete();
+            }
+        }
+        self.stated |= bits;
     }
 
     /// Where words count is unknown, and so is every position.
@@ -291,11 +415,6 @@ impl Interpreter {
                         switch both off before";
             fault(&mut block.faults, 0, text);
         }
-    }
-
-    /// Machine coordinates stay in the block alone.
-    fn act_values(&self, block: &Block) -> [f64; MAX_AXES] {
-        if block.action.leaves_words() { block.values } else { self.values }
     }
 
     /// The effect that the user has declared.
@@ -324,7 +443,7 @@ impl Interpreter {
             if self.facts.form == Form::Statements {
                 (self.state.units, self.state.incremental) = (units, incremental);
             }
-            (self.modal, self.cycle, self.stated) = (None, None, 0);
+            (self.motion, self.stated) = (MotionModes::default(), 0);
             self.frames.lose();
         }
         block.stated = self.stated;
@@ -345,77 +464,7 @@ impl Interpreter {
         if self.facts.form == Form::Letters {
             state.length = None;
         }
-        (self.modal, self.cycle) = (None, None);
+        (self.motion.code, self.motion.cycle, self.motion.canned) = (None, None, None);
         self.stated &= !(stated::OFFSET | stated::MODES);
-    }
-
-    fn act(&mut self, draft: &Draft, block: &mut Block) {
-        if let Some(cycle) = draft.define {
-            if self.cycle.is_none()
-                && let Some(z) = self.normal()
-            {
-                self.initial = self.at(z);
-            }
-            self.cycle = Some(cycle);
-        }
-        if let Some(code) = draft.code {
-            self.modal = Some(code);
-            if !matches!(code, Code::Cycle) && draft.define.is_none() && self.facts.motion_modal && !draft.call {
-                self.cycle = None;
-            }
-        }
-        block.action = if draft.end {
-            Action::End
-        } else if let Some(optional) = draft.stop {
-            self.known = 0;
-            if optional { Action::OptionalStop } else { Action::Stop }
-        } else if let Some(seconds) = draft.dwell {
-            if seconds < 0.0 {
-                fault(&mut block.faults, 0, "dwell with a negative time");
-            }
-            Action::Dwell(seconds)
-        } else if draft.change {
-            Action::ToolChange
-        } else {
-            self.motion(draft, block)
-        };
-        let alone = matches!(block.action, Action::End | Action::Stop | Action::OptionalStop | Action::Dwell(_));
-        let stops = matches!(block.action, Action::End | Action::Stop | Action::OptionalStop | Action::ToolChange);
-        if stops && self.facts.motion_codes_execute {
-            self.code_alone(draft, &mut block.faults);
-        }
-        let others = draft.written != 0 || draft.reference || draft.machine || draft.end_of_travel;
-        if (alone || block.action == Action::ToolChange) && others {
-            fault(&mut block.faults, 0, "axis words in a block with another function");
-        }
-        let orients =
-            matches!(draft.tilt, Some(TiltCode::Orient | TiltCode::Zero | TiltCode::On { oriented: true, .. }));
-        if orients && block.action == Action::Nothing {
-            block.action = Action::Orient;
-        } else if orients {
-            fault(&mut block.faults, 0, "the rotary axes are positioned to a plane in a block with another function");
-        }
-        if !self.facts.motion_modal {
-            self.modal = None;
-        }
-    }
-}
-
-/// Says which words of a block did nothing.
-fn leftovers(draft: &Draft, block: &mut Block) {
-    if !block.faults.is_empty() {
-        return;
-    }
-    if !matches!(draft.vector_written, 0 | 7) {
-        fault(&mut block.faults, 0, "tool axis with fewer than three components");
-    }
-    if matches!(block.action, Action::Arc(_)) {
-        return;
-    }
-    if draft.centre_written != 0 {
-        fault(&mut block.faults, 0, "I, J or K without an arc");
-    }
-    if draft.radius.is_some() || draft.sweep.is_some() || draft.turns != 0 {
-        fault(&mut block.faults, 0, "radius, angle or revolutions of an arc without an arc");
     }
 }

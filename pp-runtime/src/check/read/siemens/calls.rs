@@ -1,12 +1,13 @@
 //! Calls of a Siemens control by their lists of arguments: cycles at a point, CYCLE800, CYCLE832, MSG.
 
 use super::super::block::{BlankPart, CycleKind, FineBore, Smoothing};
-use super::super::draft::{Cycle, TiltCode, group};
 use super::super::frames;
 use super::super::language::arguments::{Item, SLOTS, Slot, WORKPIECE};
 use super::super::language::{List, Role};
 use super::super::line::Line;
+use super::super::orders::{Cycle, Mode, TiltCode};
 use super::super::text::same;
+use super::Calls;
 use crate::program::{Rotation, Units};
 
 /// Numbers of a call by their slots.
@@ -30,45 +31,45 @@ impl Numbers {
     }
 }
 
-/// `NAME(..)`, from the bracket on; `false` if it is not known.
-pub(super) fn call(line: &mut Line<'_>, name: &[u8]) -> bool {
+/// `NAME(..)`, from the bracket on; its name begins at `start`. `false` if it is not known.
+pub(super) fn call(line: &mut Line<'_>, name: &[u8], calls: &mut Calls, start: usize) -> bool {
     let Some(list) = line.language().lists.iter().find(|list| list.name.as_bytes().eq_ignore_ascii_case(name)) else {
         return false;
     };
-    let start = line.at.column();
     if list.number == WORKPIECE {
-        line.draft.blank = workpiece(line);
-        return line.draft.blank.is_some();
+        let part = workpiece(line);
+        part.into_iter().for_each(|part| line.orders.mode(Mode::Blank(part)));
+        return part.is_some();
+    }
+    // A plane and smoothing are switched in a block of their own.
+    if matches!(list.number, 800 | 832) {
+        line.words.calls.push(start);
     }
     line.at.skip(1);
     line.at.blanks();
-    let none = line.at.take(b')');
-    if none {
-        return match list.number {
-            800 => line.draft.tilt.replace(TiltCode::Off).is_none(),
-            832 => {
-                line.draft.groups |= 1 << group::SMOOTHING;
-                line.draft.smoothing.replace(Smoothing::Off).is_none()
-            }
-            0 => true,
-            _ => false,
-        };
-    }
-    let Some(numbers) = arguments(line, list) else {
-        line.at.take_rest();
-        line.fault(start, format!("arguments of {} that the check cannot read", list.name));
-        return true;
-    };
-    match list.number {
-        0 => {}
-        800 => swivel(line, &numbers),
-        832 => {
-            line.draft.groups |= 1 << group::SMOOTHING;
-            smooth(line, &numbers);
+    if line.at.take(b')') {
+        match list.number {
+            800 => line.tilt(TiltCode::Off),
+            832 => line.orders.mode(Mode::Smoothing(Smoothing::Off, None)),
+            0 => {}
+            _ => return false,
         }
-        _ => {
-            line.draft.define = cycle(line, list.number, &numbers);
-            line.draft.call = true;
+        return true;
+    }
+    let numbers = arguments(line, list);
+    match (list.number, &numbers) {
+        (_, None) => {
+            line.at.take_rest();
+            line.fault(start, format!("arguments of {} that the check cannot read", list.name));
+        }
+        (0, _) => {}
+        (800, Some(numbers)) => swivel(line, numbers),
+        (832, Some(numbers)) => smooth(line, numbers),
+        (number, Some(numbers)) => {
+            if std::mem::replace(&mut calls.has_cycle, true) {
+                line.fault(start, "two cycles in one block");
+            }
+            calls.cycle = cycle(line, number, numbers);
         }
     }
     true
@@ -264,9 +265,7 @@ fn swivel(line: &mut Line<'_>, numbers: &Numbers) {
     };
     let oriented = pose.is_some();
     let tilt = TiltCode::On { rotation, origin, oriented, pose, rotates_table: false };
-    if line.draft.tilt.replace(tilt).is_some() {
-        line.fault(0, "two planes in one block");
-    }
+    line.tilt(tilt);
 }
 
 /// CYCLE832: units of the second argument are the level, tens whether the third is an angle.
@@ -283,10 +282,11 @@ fn smooth(line: &mut Line<'_>, numbers: &Numbers) {
         11.0 | 12.0 | 13.0 | 14.0 if angle.is_some() => Some(mode as u8 % 10),
         _ => return line.fault(0, format!("S_TOLM of CYCLE832 is {mode}, expected 0 to 4, or 11 to 14 with S_OTOL")),
     };
-    line.draft.smoothing_angle = angle.filter(|_| mode > 10.0).map(f64::to_radians);
+    let angle_rad = angle.filter(|_| mode > 10.0).map(f64::to_radians);
     let tolerance_mm = Some(numbers.value(Slot::Tolerance) * line.machine().unit());
-    line.draft.smoothing = Some(match level {
+    let smoothing = match level {
         Some(_) => Smoothing::On { tolerance_mm, level },
         None => Smoothing::Off,
-    });
+    };
+    line.orders.mode(Mode::Smoothing(smoothing, angle_rad));
 }

@@ -4,6 +4,7 @@
 
 use super::super::block::{Guard, LengthSource, RotaryGuard};
 use super::super::line::Line;
+use super::super::orders::Mode;
 use super::super::text::Cursor;
 
 /// The guard that has begun.
@@ -63,14 +64,14 @@ impl Guards {
             self.open = None;
             match guard {
                 Open::Length(guard) => {
-                    line.draft.guard = Some(guard);
+                    line.orders.mode(Mode::Guard(guard));
                     if !guard.stops {
                         line.fault(0, "the length guard does not stop the program");
                     }
                 }
-                Open::Radius { largest_mm, stops: true } => line.draft.radius_guard_mm = Some(largest_mm),
+                Open::Radius { largest_mm, stops: true } => line.orders.mode(Mode::RadiusGuard(largest_mm)),
                 Open::Radius { .. } => line.fault(0, "the guard of the tool radius does not stop the program"),
-                Open::Plane { guard, stops: true } => line.draft.plane_guard = Some(guard),
+                Open::Plane { guard, stops: true } => line.orders.mode(Mode::PlaneGuard(guard)),
                 Open::Plane { .. } => line.fault(0, "the guard of the rotary positions does not stop the program"),
             }
             return true;

@@ -118,8 +118,8 @@ fn a_hole_that_is_drilled_again_keeps_its_levels_and_its_modes() {
             (-10.0, false, 100.0),
             (-10.0, true, 100.0),
             (-10.0, true, 100.0),
-            (-11.0, false, 100.0),
-            (-11.0, false, 50.0),
+            (-11.0, true, 100.0),
+            (-11.0, true, 50.0),
             (-11.0, true, 50.0),
         ];
         let expected: Vec<_> = expected.map(|(bottom, again, feed)| (bottom, 2.0, again, Some(feed))).to_vec();
@@ -150,6 +150,7 @@ fn called(definition: &str) -> String {
 fn every_parameter_of_a_heidenhain_cycle_is_executed_or_must_have_its_value() {
     let wanted = CycleMove {
         kind: CycleKind::Peck(3.0),
+        over: Some(25.0),
         reference: 2.0,
         bottom: -10.0,
         back_to: 25.0,
@@ -168,7 +169,7 @@ fn every_parameter_of_a_heidenhain_cycle_is_executed_or_must_have_its_value() {
         (PECKING, "Q257=+0", "Q257=+2", "Q257"),
         (PECKING, "Q253=+99999", "Q253=+10", "Q253"),
         (PECKING, " Q211=+1 ~\n", "", "Q211 (dwell at depth) of CYCL DEF 205 is missing"),
-        (PECKING, "Q202=+3", "Q202=+Q5", "no parameter with a number"),
+        (PECKING, "Q202=+3", "Q202=+Q5", "expected Q and a number"),
         (PECKING, "Q202=+3", "Q202=+3 Q202=+4", "twice"),
         (PECKING, "Q202=+3", "Q999=+3", "Q999"),
         (PECKING, "Q201=-10", "Q201=+10", "not negative"),
@@ -206,6 +207,7 @@ fn every_argument_of_a_siemens_cycle_is_executed_or_must_have_its_value() {
     let deep = "CYCLE83(25,0,2,-10,,,3,0,0,0,1,1,,,,1.5,0.5)";
     let wanted = CycleMove {
         kind: CycleKind::Peck(3.0),
+        over: None,
         reference: 2.0,
         bottom: -10.0,
         back_to: 25.0,
