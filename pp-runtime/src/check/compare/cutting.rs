@@ -862,6 +862,13 @@ impl Comparison<'_> {
         for (level_mm, found) in levels {
             self.level_found(current, level_mm, found);
         }
+        if let Some(over) = cycle.over.and_then(|over| words_at(&self.rules, block, over)) {
+            let mut findings = Findings { tally: &mut self.tally, at: current.at, shown: current.shown };
+            self.travel.at_end(&self.rules, block, &over, &mut findings);
+        }
+        if self.rotates(block) {
+            self.rotates_at_part(current);
+        }
         faults.iter().for_each(|text| self.found(current, text));
         self.progress.make(expected.number);
         self.finish_hole(expected.number, stays)?;

@@ -196,19 +196,26 @@ impl CycleComparison<'_> {
             .then(|| format!("the cycle returns to {gap} mm above the last depth, expected {expected} mm"))
     }
 
-    /// What is wrong where the tool moves over the hole: it is below the clearance level. `before`: words before the block.
+    /// What is wrong with the motion of the block before its cycle, over the hole: it is below the clearance level. `before`: words
+    /// before the block.
     pub(super) fn over_fault(&self, before: &[f64; MAX_AXES], known: u16) -> Option<String> {
         let normal = self.rules.words().xyz()[self.block.state.plane?.axes()[2]]?;
         let across = (0..MAX_AXES)
             .filter(|index| *index != normal && self.block.written & (1 << index) != 0)
             .fold(0.0_f64, |sum, index| hypot(sum, self.block.values[index] - before[index]));
         let rounding = self.rules.rounding();
-        if across <= rounding.unit_mm || known & (1 << normal) == 0 {
+        let over = self.cycle.over?;
+        let from = if known & (1 << normal) == 0 { over } else { before[normal] };
+        if across <= rounding.unit_mm && (over - from).abs() <= 0.0 {
             return None;
         }
-        let over = pose_at(self.rules, self.block, before[normal])?;
-        let height = (over.tip - self.hole.top.tip.coords).dot(&self.hole.top.axis);
-        let below = self.hole.clearance_mm - height;
+        let height = |level_mm: f64| {
+            let pose = pose_at(self.rules, self.block, level_mm)?;
+            Some((pose.tip - self.hole.top.tip.coords).dot(&self.hole.top.axis))
+        };
+        // A motion down along the axis alone comes from where the tool was.
+        let lowest = if across <= rounding.unit_mm { height(over)? } else { height(over)?.min(height(from)?) };
+        let below = self.hole.clearance_mm - lowest;
         // The tool axis is rounded, too.
         (below > 2.0 * rounding.tip_mm + across * rounding.axis_rad)
             .then(|| format!("the tool moves over this hole {below:.4} mm below its clearance level"))

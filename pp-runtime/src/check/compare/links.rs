@@ -78,7 +78,8 @@ impl Comparison<'_> {
         if let Some(own) = &block.own {
             self.own_line(own, is_of_cl, phase, current);
         }
-        if !is_of_cl && (!phase.is_at_part() || !current.block.action.moves()) {
+        let is_line = !is_of_cl && !block.goes_on;
+        if is_line && (!phase.is_at_part() || !current.block.action.moves()) {
             let of_another = self.shop_lines.note(current.shown.text, block.state.tool);
             self.found_any(current, of_another);
         }
@@ -1008,7 +1009,7 @@ impl Comparison<'_> {
         if retracts && !phase.is_retracted() {
             self.found(current, "program stop before the machine has retracted");
         }
-        if retracts && let Some(text) = fault_at_end(&current.block.state) {
+        if retracts && let Some(text) = fault_at_end(current.block) {
             self.found(current, &text);
         }
         self.is_complete(phase, current);
@@ -1092,7 +1093,7 @@ impl Comparison<'_> {
         for missing in self.shop_lines.end() {
             self.found(current, &missing);
         }
-        if let Some(text) = fault_at_end(&current.block.state) {
+        if let Some(text) = fault_at_end(current.block) {
             self.found(current, &text);
         }
         self.is_complete(phase, current);

@@ -178,14 +178,17 @@ impl<'a> Checker<'a> {
             comparison.right_state = None;
         }
         comparison.block_skip(phase, &current)?;
-        if comparison.progress.has_records_ahead() && comparison.is_raw(phase, &current) {
+        let is_line = !block.goes_on;
+        if is_line && comparison.progress.has_records_ahead() && comparison.is_raw(phase, &current) {
             *phase = comparison.forget(phase);
             return Ok(());
         }
         for fault in &block.faults {
             comparison.found(&current, &fault.text);
         }
-        comparison.messages(&current);
+        if is_line {
+            comparison.messages(&current);
+        }
         if !phase.is_at_part() {
             comparison.rules.follow_frame(&block.state);
         }

@@ -69,8 +69,8 @@ impl Rules<'_> {
             .or_else(|| self.offsets(state, required, true))
             .or_else(|| if offset_path { self.radius_register(state, required) } else { None })
             .or_else(|| if offset_path { self.radius_delta(state, required) } else { None })
-            .or_else(|| spindle(state, self.spindle_in_cut(required)))
-            .or_else(|| coolant(state, required.coolant))
+            .or_else(|| in_each_order(block, |state| spindle(state, self.spindle_in_cut(required))))
+            .or_else(|| in_each_order(block, |state| coolant(state, required.coolant)))
     }
 
     /// Whether the state of a cut is right or wrong whatever block has it.
@@ -103,8 +103,8 @@ impl Rules<'_> {
                     false => self.offsets(state, required, last || !self.facts.length_moves),
                 }
             })
-            .or_else(|| spindle(state, self.spindle_in_cut(required)))
-            .or_else(|| if context.dry { coolant(state, 0) } else { None });
+            .or_else(|| in_each_order(block, |state| spindle(state, self.spindle_in_cut(required))))
+            .or_else(|| in_each_order(block, |state| if context.dry { coolant(state, 0) } else { None }));
         self.tool_first(found, state, required)
     }
 
@@ -121,7 +121,7 @@ impl Rules<'_> {
             .or_else(|| inverse_time(state))
             .or_else(|| self.frame(block, FrameUse::AsMeant))
             .or_else(|| required.and_then(|required| self.offsets(state, required, true)))
-            .or_else(|| if context.dry { coolant(state, 0) } else { None });
+            .or_else(|| in_each_order(block, |state| if context.dry { coolant(state, 0) } else { None }));
         match required {
             Some(required) => self.tool_first(found, state, required),
             None => found.map(StateFault::from),
@@ -152,8 +152,8 @@ impl Rules<'_> {
             .or_else(|| moved_zero(state))
             .or_else(|| if tilts { None } else { tilted(state) })
             .or(length)
-            .or_else(|| spindle(state, spindle_on))
-            .or_else(|| if context.dry { coolant(state, 0) } else { None });
+            .or_else(|| in_each_order(block, |state| spindle(state, spindle_on)))
+            .or_else(|| in_each_order(block, |state| if context.dry { coolant(state, 0) } else { None }));
         found.map(StateFault::from)
     }
 
@@ -171,8 +171,7 @@ impl Rules<'_> {
             .everywhere(state, Side::None, context)
             .or_else(|| self.frame(block, FrameUse::Without))
             .or_else(|| last.and_then(|last| self.offsets(state, last, false)))
-            .or_else(|| spindle(state, None))
-            .or_else(|| coolant(state, 0));
+            .or_else(|| in_each_order(block, |state| spindle(state, None).or_else(|| coolant(state, 0))));
         found.map(StateFault::from)
     }
 
@@ -390,8 +389,17 @@ impl From<String> for StateFault {
 }
 
 /// At a stop with a retract, and at the end code.
-pub(crate) fn fault_at_end(state: &State) -> Option<String> {
-    spindle(state, None).or_else(|| coolant(state, 0)).or_else(|| tilted(state)).or_else(|| moved_zero(state))
+pub(crate) fn fault_at_end(block: &Block) -> Option<String> {
+    let process = in_each_order(block, |state| spindle(state, None).or_else(|| coolant(state, 0)));
+    process.or_else(|| tilted(&block.state)).or_else(|| moved_zero(&block.state))
+}
+
+/// What is wrong with a state in which a block moves, whether its functions act before its motion or after it.
+fn in_each_order(block: &Block, fault: impl Fn(&State) -> Option<String>) -> Option<String> {
+    fault(&block.state).or_else(|| {
+        let text = fault(block.early.as_deref()?)?;
+        Some(format!("{text}, where the machine executes the functions of this block after its motion"))
+    })
 }
 
 fn shown<T: Display>(value: Option<T>) -> String {

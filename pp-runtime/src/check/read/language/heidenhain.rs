@@ -1,6 +1,7 @@
 //! Heidenhain TNC 640 and iTNC 530, conversational.
 
 use super::super::block::{FeedMode, coolant};
+use super::super::orders::Order;
 use super::arguments::HEIDENHAIN;
 use super::group;
 use super::{Address, Language, Means, Row, Statement, sorted};
@@ -8,6 +9,8 @@ use crate::program::Rotation;
 
 const TNC: &str = "HEIDENHAIN TNC 640 user's manual (conversational)";
 const M: &str = "HEIDENHAIN TNC 640 user's manual (conversational), miscellaneous functions";
+const ENDS: &str = "HEIDENHAIN TNC 155 technical manual, M functions: M3, M4, M8, M13 and M14 at the beginning of their block, M5 \
+                    and M9 at its end";
 const Q: &str = "HEIDENHAIN TNC 640 user's manual (conversational), Q parameters";
 const PLANE: &str = "HEIDENHAIN TNC 620 user's manual 10/2017, p. 540 and 554 (positioning)";
 const TCPM: &str = "HEIDENHAIN TNC 620 user's manual, p. 340; TNC 640, FUNCTION TCPM";
@@ -19,9 +22,9 @@ const OWN: &[Row] = &[
     Row::new("M30", Means::End, group::STOP, M),
     Row::new("M3", Means::Spindle(Some(Rotation::Clockwise)), group::SPINDLE, M),
     Row::new("M4", Means::Spindle(Some(Rotation::CounterClockwise)), group::SPINDLE, M),
-    Row::new("M5", Means::Spindle(None), group::SPINDLE, M),
+    Row::new("M5", Means::Spindle(None), group::SPINDLE, ENDS).acts(Order::After),
     Row::new("M8", Means::CoolantOn(coolant::FLOOD), group::COOLANT, M),
-    Row::new("M9", Means::CoolantOff(coolant::FLOOD | coolant::MIST), group::COOLANT, M),
+    Row::new("M9", Means::CoolantOff(coolant::FLOOD | coolant::MIST), group::COOLANT, ENDS).acts(Order::After),
     Row::new("M13", Means::SpindleAndFlood(Rotation::Clockwise), group::SPINDLE, M),
     Row::new("M14", Means::SpindleAndFlood(Rotation::CounterClockwise), group::SPINDLE, M),
     Row::new("M91", Means::Machine, group::ALONE, M),
