@@ -55,6 +55,7 @@ pub(crate) use geometry::angle_between;
 pub use policy::CheckPolicy;
 pub use report::{Finding, Outcome};
 pub use stream::{ExecutedBlock, Leg, Observer};
+pub(crate) use vocabulary::faults_of_lines;
 
 use crate::cl::{ClData, FromHere, ReadSeek};
 use crate::diag::Diagnostic;

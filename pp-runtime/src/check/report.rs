@@ -22,6 +22,8 @@ pub struct Finding {
     pub line: u64,
     /// Last line of the program.
     pub last_line: u64,
+    /// Number of blocks from the first line to the last that have the fault.
+    pub blocks: u64,
     /// Text of the first block, cut off if it is long.
     pub block: String,
     /// Cause, one sentence without a final stop.
@@ -46,6 +48,7 @@ impl Finding {
             location,
             line: shown.line,
             last_line: shown.line,
+            blocks: 1,
             block,
             cause: cause.to_owned(),
             text: String::new(),
@@ -56,13 +59,13 @@ impl Finding {
     }
 
     fn with_text(mut self) -> Self {
-        let Self { line, last_line, block, cause, .. } = &self;
-        self.text = match (block.is_empty(), last_line > line) {
+        let Self { line, last_line, blocks, block, cause, .. } = &self;
+        self.text = match (block.is_empty(), *blocks > 1) {
             (true, _) => cause.clone(),
             (false, false) => format!("{cause}; line {line} of the program is `{block}`"),
-            (false, true) => {
-                format!("{cause}; nor do the blocks up to line {last_line}; line {line} of the program is `{block}`")
-            }
+            (false, true) => format!(
+                "{cause}; from line {line} to {last_line}, {blocks} blocks; line {line} of the program is `{block}`"
+            ),
         };
         self
     }
@@ -162,6 +165,20 @@ pub(super) struct Shown<'t> {
     pub(crate) text: &'t [u8],
 }
 
+/// A cause without its numbers; what it quotes stays.
+fn without_numbers(cause: &str) -> String {
+    let is_number = |letter: char| letter.is_ascii_digit() || letter == '.';
+    let mut kind = String::new();
+    for (index, piece) in cause.split('`').enumerate() {
+        if index % 2 == 1 {
+            kind.push_str(piece);
+        } else {
+            kind.extend(piece.chars().filter(|letter| !is_number(*letter)));
+        }
+    }
+    kind
+}
+
 /// Figures and findings while a program is compared.
 #[derive(Debug, Default)]
 pub(super) struct Tally {
@@ -169,9 +186,21 @@ pub(super) struct Tally {
     causes: Vec<Cause>,
     /// Position in `causes` by text without numbers.
     by_text: HashMap<String, usize>,
-    /// Blocks in a row that match nothing, and the number of the last of them.
-    lost: Option<(Finding, u64)>,
+    /// Faults of the last block, which the next one may have, too.
+    runs: Vec<Run>,
 }
+
+/// One fault of several blocks in a row.
+#[derive(Debug)]
+struct Run {
+    found: Finding,
+    kind: String,
+    /// Number of the last motion that has it.
+    last: u64,
+}
+
+/// Kind of the findings about blocks that match nothing.
+const LOST: &str = "lost";
 
 /// Findings of one cause.
 #[derive(Debug, Default)]
@@ -193,7 +222,7 @@ impl Tally {
 
     /// The CL data has an error: from this line of the program on nothing is compared any more.
     pub(super) fn stop(&mut self, line: u64) {
-        self.end_lost();
+        self.end_runs(u64::MAX);
         self.outcome.not_compared_from.get_or_insert(line);
     }
 
@@ -252,12 +281,33 @@ impl Tally {
         self.found(at, shown, text);
     }
 
-    /// Adds a finding about a block. `at`: the CL record that the block should carry out.
+    /// Adds a finding about a block; blocks in a row with the same fault are one finding. `at`: the CL record that the block should
+    /// carry out.
     #[cold]
     pub(super) fn found(&mut self, at: Location, shown: Shown<'_>, cause: &str) {
-        if self.compares() {
-            self.outcome.count += 1;
-            self.add(Finding::new(at, shown, cause, None));
+        self.found_in_run(at, shown, cause, without_numbers(cause));
+    }
+
+    fn found_in_run(&mut self, at: Location, shown: Shown<'_>, cause: &str, kind: String) {
+        if !self.compares() {
+            return;
+        }
+        let number = self.outcome.blocks;
+        self.end_runs(number);
+        if let Some(run) = self.runs.iter_mut().find(|run| run.kind == kind) {
+            run.found.blocks += u64::from(run.found.last_line < shown.line);
+            (run.found.last_line, run.last) = (shown.line, number);
+            return;
+        }
+        self.outcome.count += 1;
+        self.runs.push(Run { found: Finding::new(at, shown, cause, None), kind, last: number });
+    }
+
+    /// Ends the runs that the block before this motion does not have.
+    fn end_runs(&mut self, number: u64) {
+        while let Some(index) = self.runs.iter().position(|run| run.last.saturating_add(1) < number) {
+            let run = self.runs.remove(index);
+            self.add(run.found.with_text());
         }
     }
 
@@ -270,28 +320,10 @@ impl Tally {
         }
     }
 
-    /// Adds a finding about a block that matches nothing; such blocks in a row are one finding.
+    /// Adds a finding about a block that matches nothing; such blocks in a row are one finding, whatever each of them lacks.
     #[cold]
     pub(super) fn found_lost(&mut self, at: Location, shown: Shown<'_>, cause: &str) {
-        if !self.compares() {
-            return;
-        }
-        let number = self.outcome.blocks;
-        if let Some((found, last)) = &mut self.lost
-            && *last + 1 == number
-        {
-            (found.last_line, *last) = (shown.line, number);
-            return;
-        }
-        self.end_lost();
-        self.outcome.count += 1;
-        self.lost = Some((Finding::new(at, shown, cause, None), number));
-    }
-
-    fn end_lost(&mut self) {
-        if let Some((found, _)) = self.lost.take() {
-            self.add(found.with_text());
-        }
+        self.found_in_run(at, shown, cause, LOST.to_owned());
     }
 
     fn add(&mut self, found: Finding) {
@@ -318,7 +350,8 @@ impl Tally {
 
     /// Outcome; `lines`: number of lines of the program.
     pub(super) fn conclude(mut self, lines: u64) -> Outcome {
-        self.end_lost();
+        self.end_runs(u64::MAX);
+        self.causes.iter_mut().for_each(|cause| cause.listed.sort_by_key(|found| found.line));
         let first = |cause: &Cause| cause.listed.first().map(|found| found.line);
         self.causes.sort_by_key(first);
         for cause in self.causes {

@@ -1,7 +1,7 @@
 //! What the reader of a program has to know of the set-up: names of axes and tools, codes of the shop.
 
 use super::policy::{CheckPolicy, ShopLine};
-use super::read::{AxisName, Effect, OwnText, Vocabulary, is_read};
+use super::read::{AxisName, Effect, OwnText, Vocabulary, is_read, moves, refusal};
 use crate::kinematics::{AnyMachine, Axis, AxisKind};
 use crate::program::Units;
 
@@ -40,4 +40,27 @@ pub(super) fn vocabulary(machine: &dyn AnyMachine, policy: &CheckPolicy, units: 
     let unread: Vec<_> = measuring.filter(|line| !is_read(line, &vocabulary)).collect();
     vocabulary.effects.extend(unread.into_iter().map(|line| (line, Effect::Measures)));
     vocabulary
+}
+
+/// Declared effects that contradict the control's own language, and blocks in the place of statements of CL data that move an axis,
+/// each by its key.
+pub(crate) fn faults_of_lines<'b>(
+    machine: &dyn AnyMachine,
+    policy: &CheckPolicy,
+    declared: impl Iterator<Item = (&'b str, Effect)>,
+    statements: impl Iterator<Item = (&'b str, &'b str)>,
+) -> Vec<String> {
+    let vocabulary = vocabulary(machine, policy, Units::Millimetres);
+    let of_effects = declared.filter_map(|(text, effect)| {
+        let why = refusal(text, effect, &vocabulary)?;
+        Some(format!("no effect can be declared for `{text}` (`control.effects`): {why}"))
+    });
+    let of_statements = statements.filter(|(_, block)| block.lines().any(|line| moves(line, &vocabulary)));
+    let of_statements = of_statements.map(|(statement, block)| {
+        format!(
+            "`{block}` of `[cl.words]` moves an axis: what a statement of the shop (`{statement}`) moves is not in the CL data, and \
+             is not compared"
+        )
+    });
+    of_effects.chain(of_statements).collect()
 }

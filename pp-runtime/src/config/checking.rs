@@ -1,5 +1,6 @@
 //! The policy of a check, from a configuration and its control.
 
+use crate::check::faults_of_lines;
 use crate::check::policy::{
     CheckPolicy, Digits, FeedPath, FeedPolicy, LinearMeaning, LinkPolicy, OperationRule, OperationSelection, RapidForm,
     RetractRule, RolloverRule, RuledOperation, ShopBlocks, ShopLine, SmoothingLevel, StateDefaults, StopRule, TipFrame,
@@ -274,6 +275,20 @@ impl Config {
             tool_names: control.tool_names,
             swivel_data: control.swivel_data.clone().unwrap_or_default(),
         }
+    }
+
+    /// Lines of the shop whose declared effect or whose motion contradicts the control's own language.
+    pub(super) fn unfit_lines(&self, machine: &dyn AnyMachine, control: &dyn Control) -> Vec<String> {
+        let Some(family) = Family::of_control(control.family()) else { return Vec::new() };
+        let policy = self.for_control(control).policy_of_check(machine, control, family, None);
+        let of_config = self.control.effects.iter().map(|(text, effect)| (text.as_str(), declared(*effect)));
+        let of_control = control.effects().iter().map(|(text, effect)| (*text, declared(*effect)));
+        let statements = self
+            .cl
+            .own_statements
+            .iter()
+            .flat_map(|own| own.blocks().iter().map(|block| (own.statement(), block.as_str())));
+        faults_of_lines(machine, &policy, of_config.chain(of_control), statements)
     }
 
     /// The lines with which a probe measures, whatever their codes do.

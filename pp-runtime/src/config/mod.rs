@@ -130,6 +130,7 @@ impl Config {
         let mut faults = control::unfit(machine, control, self.demands());
         let of_probes = self.cl.probes.iter().flat_map(|probe| probe.blocks());
         faults.extend(of_probes.filter_map(|block| control::of_another_control(control.spellings(), block)));
+        faults.extend(self.unfit_lines(machine, control));
         faults
     }
 

@@ -40,6 +40,10 @@ const OPERATIONS: &[Operation] = &[
     insert_row,
     insert_into_block,
     insert_into_block,
+    append_word,
+    append_word,
+    open_and_close,
+    open_and_close,
     insert_copy,
     insert_copied_word,
     delete_line,
@@ -153,6 +157,44 @@ fn insert_into_block(subject: &Subject, index: usize, random: &mut Random) -> Op
     };
     words.insert(at, row.to_owned());
     Some(Change { kind: format!("insert words {row}"), from: index, to: index + 1, lines: vec![joined(line, &words)] })
+}
+
+/// A word of the control's alphabet at the end of a block: what a block does with it, comes after all else that it does.
+fn append_word(subject: &Subject, index: usize, random: &mut Random) -> Option<Change> {
+    let line = &subject.lines[index];
+    let alphabet: Vec<&str> =
+        rows(subject.options.control).into_iter().filter(|row| !row.contains([' ', '\n'])).collect();
+    let word = *some(&alphabet, random)?;
+    if is_comment(line) {
+        return None;
+    }
+    let mut words = words(line);
+    let is_remark = words.last().is_some_and(|last| last.starts_with([';', '(']) && words.len() > 1);
+    words.insert(words.len() - usize::from(is_remark), word.to_owned());
+    let lines = vec![joined(line, &words)];
+    Some(Change { kind: format!("append {word}"), from: index, to: index + 1, lines })
+}
+
+/// Two codes of a group, one here and the other some lines later, each on a line of its own or at the end of a block: what the
+/// first opens the second closes.
+fn open_and_close(subject: &Subject, index: usize, random: &mut Random) -> Option<Change> {
+    let group = *some(groups(subject.options.control), random)?;
+    let (opens, closes) = (*some(group, random)?, *some(group, random)?);
+    let to = index + 1 + random.below(8);
+    let mut lines = subject.lines.get(index..to)?.to_vec();
+    let apart = random.chance(0.7);
+    if opens == closes || !apart && (is_comment(&lines[0]) || is_comment(&lines[lines.len() - 1])) {
+        return None;
+    }
+    if apart {
+        lines.insert(0, opens.to_owned());
+        lines.push(closes.to_owned());
+    } else {
+        let last = lines.len() - 1;
+        lines[last] = format!("{} {closes}", lines[last]);
+        lines[0] = format!("{} {opens}", lines[0]);
+    }
+    Some(Change { kind: format!("open {opens} and close {closes}"), from: index, to, lines })
 }
 
 /// A line of the program again at another place.

@@ -25,6 +25,7 @@
 
 mod block;
 mod compose;
+mod declared;
 mod facts;
 mod frames;
 mod heidenhain;
@@ -51,6 +52,7 @@ pub use block::{
     LengthSource, MAX_AXES, OwnLine, OwnPlace, OwnValues, PathMode, RotaryGuard, Side, Smoothing, State, Tilt,
     TipControl, WorkOffset, WorkPlane, coolant, stated,
 };
+pub(crate) use declared::{moves, refusal};
 pub(crate) use facts::{Facts, Form, GuardSource, LengthRegisters, PoseSelector, SmoothingWords};
 pub(crate) use language::table;
 pub(crate) use machine::AxisName;

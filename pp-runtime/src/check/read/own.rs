@@ -348,8 +348,8 @@ fn line_number(vocabulary: &Vocabulary) -> &'static [u8] {
     if vocabulary.family.facts().form == Form::Statements { b"1 " } else { b"" }
 }
 
-/// Whether the table has the codes of a line of the configuration, whatever the values of its fields are.
-pub(crate) fn is_read(line: &[u8], vocabulary: &Vocabulary) -> bool {
+/// A line of the configuration as it may come in a program, its fields having some value.
+pub(super) fn with_values(line: &[u8], vocabulary: &Vocabulary) -> Vec<u8> {
     let mut text = line_number(vocabulary).to_vec();
     let mut in_field = false;
     for &byte in line {
@@ -363,6 +363,12 @@ pub(crate) fn is_read(line: &[u8], vocabulary: &Vocabulary) -> bool {
             byte => text.push(byte),
         }
     }
+    text
+}
+
+/// Whether the table has the codes of a line of the configuration, whatever the values of its fields are.
+pub(crate) fn is_read(line: &[u8], vocabulary: &Vocabulary) -> bool {
+    let text = with_values(line, vocabulary);
     let vocabulary = Vocabulary { own: Vec::new(), effects: Vec::new(), ..vocabulary.clone() };
     let mut reader = Reader::new(&text[..], vocabulary);
     // What lacks a mode here has it in the program.

@@ -188,6 +188,11 @@ fn hole(line: &mut Line<'_>, number: u32, q: &Numbers) -> Option<Cycle> {
     if depth <= 0.0 || clearance < 0.0 {
         line.fault(0, "Q201 of the cycle is not negative, or Q200 is");
     }
+    for (name, slot) in [("Q202", Slot::Step), ("Q204", Slot::Return)] {
+        if q.get(slot) < 0.0 {
+            line.fault(0, format!("{name} of the cycle is negative"));
+        }
+    }
     let (reference, bottom) = (surface + clearance, surface - depth);
     let back_to = (surface + q.get(Slot::Return)).max(reference);
     // Steps count from the surface.

@@ -85,7 +85,7 @@ impl LengthGuard {
                 self.high > self.low && self.fits != self.off
             }
             5 => at.word(b"LBL") && label(at)? == self.off,
-            6 => at.literal(b"FN14:ERROR=") && at.spaced_number().and_then(whole).is_some(),
+            6 => at.literal(b"FN14:ERROR=") && at.spaced_number().and_then(whole).is_some_and(|number| number > 0),
             _ => at.word(b"LBL") && label(at)? == self.fits,
         };
         correct.then_some(())

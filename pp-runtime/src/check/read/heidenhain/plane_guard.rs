@@ -73,7 +73,7 @@ impl PlaneGuardLines {
             }
             Due::Error => {
                 let number = line.at.literal(b"FN14:ERROR=").then(|| line.at.spaced_number())?.and_then(whole);
-                number.map(|_| Due::Label)
+                number.filter(|number| *number > 0).map(|_| Due::Label)
             }
             Due::Label => (line.at.word(b"LBL") && label(&mut line.at)? == self.passed).then_some(Due::Wait),
         }

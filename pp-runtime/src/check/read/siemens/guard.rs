@@ -10,24 +10,22 @@ use super::super::text::Cursor;
 /// The guard that has begun.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Guards {
-    open: Option<Open>,
+    open: Option<(Open, Stops)>,
 }
 
 /// What an open guard compares.
 #[derive(Debug, Clone, Copy)]
 enum Open {
     Length(Guard),
-    Radius { largest_mm: f64, stops: bool },
-    Plane { guard: RotaryGuard, stops: bool },
+    Radius(f64),
+    Plane(RotaryGuard),
 }
 
-impl Open {
-    fn stop(&mut self) {
-        match self {
-            Self::Length(guard) => guard.stops = true,
-            Self::Radius { stops, .. } | Self::Plane { stops, .. } => *stops = true,
-        }
-    }
+/// How far a guard stops the program: M0 shows its message, and M30 ends the program whatever the operator does.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+struct Stops {
+    stop: bool,
+    end: bool,
 }
 
 impl Guards {
@@ -39,14 +37,14 @@ impl Guards {
     /// A line of a guard: whether it is a block. `None` if it is none of a guard.
     #[inline]
     pub(super) fn line(&mut self, line: &mut Line<'_>) -> Option<bool> {
-        if let Some(guard) = self.open {
-            return Some(self.within(guard, line));
+        if let Some((guard, stops)) = self.open {
+            return Some(self.within(guard, stops, line));
         }
         if !matches!(line.at.rest(), [b'I' | b'i', b'F' | b'f', ..]) || !line.at.word(b"IF") {
             return None;
         }
         let unit = if line.facts().guard_in_mm { 1.0 } else { line.unit() };
-        self.open = positions(line).or_else(|| condition(&mut line.at, unit));
+        self.open = positions(line).or_else(|| condition(&mut line.at, unit)).map(|guard| (guard, Stops::default()));
         if self.open.is_none() {
             line.fault(
                 0,
@@ -58,27 +56,24 @@ impl Guards {
         Some(false)
     }
 
-    fn within(&mut self, mut guard: Open, line: &mut Line<'_>) -> bool {
+    fn within(&mut self, guard: Open, mut stops: Stops, line: &mut Line<'_>) -> bool {
         let at = &mut line.at;
         if at.word(b"ENDIF") && at.ended() {
             self.open = None;
-            match guard {
-                Open::Length(guard) => {
-                    line.orders.mode(Mode::Guard(guard));
-                    if !guard.stops {
-                        line.fault(0, "the length guard does not stop the program");
-                    }
-                }
-                Open::Radius { largest_mm, stops: true } => line.orders.mode(Mode::RadiusGuard(largest_mm)),
-                Open::Radius { .. } => line.fault(0, "the guard of the tool radius does not stop the program"),
-                Open::Plane { guard, stops: true } => line.orders.mode(Mode::PlaneGuard(guard)),
-                Open::Plane { .. } => line.fault(0, "the guard of the rotary positions does not stop the program"),
+            if !(stops.stop && stops.end) {
+                line.fault(0, "the guard does not stop and end the program: M0 and M30 expected before ENDIF");
             }
+            line.orders.mode(match guard {
+                Open::Length(guard) => Mode::Guard(guard),
+                Open::Radius(largest_mm) => Mode::RadiusGuard(largest_mm),
+                Open::Plane(guard) => Mode::PlaneGuard(guard),
+            });
             return true;
         }
-        if (at.word(b"M0") || at.word(b"M30")) && at.ended() {
-            guard.stop();
-            self.open = Some(guard);
+        let stop = at.word(b"M0");
+        if (stop || at.word(b"M30")) && at.ended() {
+            (stops.stop, stops.end) = (stops.stop || stop, stops.end || !stop);
+            self.open = Some((guard, stops));
         } else if at.peek() != Some(b';') && !(message(at) && at.ended()) {
             line.fault(0, "this block is executed only under a condition");
             return true;
@@ -113,19 +108,19 @@ fn compared(line: &mut Line<'_>) -> Option<Open> {
         line.at.literal(b"+").then_some(())?;
     }
     guard.largest = line.at.spaced_number()?.value;
-    (line.at.ended() && guard.largest > 0.0).then_some(Open::Plane { guard, stops: false })
+    (line.at.ended() && guard.largest > 0.0).then_some(Open::Plane(guard))
 }
 
 /// `ABS($P_TOOLL[1]-L)>tol` or `ABS($P_TOOLR)>tol`, and nothing after it.
 fn condition(at: &mut Cursor<'_>, unit: f64) -> Option<Open> {
     if at.literal(b"ABS($P_TOOLR)>") {
         let largest = at.spaced_number()?.value;
-        return (at.ended() && largest > 0.0).then_some(Open::Radius { largest_mm: largest * unit, stops: false });
+        return (at.ended() && largest > 0.0).then_some(Open::Radius(largest * unit));
     }
     let length = at.literal(b"ABS($P_TOOLL[1]-").then(|| at.spaced_number())??.value;
     let tolerance = at.literal(b")>").then(|| at.spaced_number())??.value;
     let [length_mm, tolerance_mm] = [length * unit, tolerance * unit];
-    let guard = Guard { length_mm, tolerance_mm, source: LengthSource::Edge, stops: false };
+    let guard = Guard { length_mm, tolerance_mm, source: LengthSource::Edge, stops: true };
     (at.ended() && tolerance > 0.0).then_some(Open::Length(guard))
 }
 
