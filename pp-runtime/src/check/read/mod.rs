@@ -27,11 +27,13 @@ mod block;
 mod compose;
 mod declared;
 mod facts;
+mod flow;
 mod frames;
 mod heidenhain;
 mod iso;
 mod language;
 mod line;
+mod lines;
 mod machine;
 mod orders;
 mod own;
@@ -58,18 +60,16 @@ pub(crate) use language::table;
 pub(crate) use machine::AxisName;
 pub(crate) use own::{OwnText, PlacedLines, is_filled, is_read};
 
+use flow::{Flow, Taken};
 use heidenhain::Heidenhain;
 use iso::Iso;
 use line::Line;
+use lines::{LONGEST, LineKind, Lines};
 use machine::Interpreter;
-use orders::{Motion, Orders, effect, fault};
+use orders::{Act, Motion, Orders, effect, fault};
 use own::Bare;
 use siemens::Siemens;
-use text::GOES_ON;
 use words::Words;
-
-/// A line longer than this is no line of a program, bytes.
-const LONGEST: usize = 1 << 16;
 
 /// Number of bytes of a program that are read at once.
 const PIECE: usize = 1 << 16;
@@ -198,10 +198,10 @@ struct Moves {
 /// Reads a program block by block.
 #[derive(Debug)]
 pub(crate) struct Reader<P> {
-    input: P,
-    piece: Vec<u8>,
-    /// Number of bytes of the piece that have been read.
-    used: usize,
+    lines: Lines<P>,
+    flow: Flow,
+    /// The line with numbers in the place of its expressions.
+    numbers: Vec<u8>,
     vocabulary: Vocabulary,
     facts: Facts,
     dialect: Box<dyn Dialect>,
@@ -210,9 +210,6 @@ pub(crate) struct Reader<P> {
     /// The line without what has a declared effect.
     blanked: Vec<u8>,
     bare: Bare,
-    number: u64,
-    /// The line has been joined of several.
-    joined: bool,
     /// What was in force before the blocks at hand, where they may be skipped.
     before_skip: Option<Box<Interpreter>>,
     /// The shop has blocks of its own for the machine retract.
@@ -237,9 +234,9 @@ impl<P: Pieces> Reader<P> {
             Form::Statements => Box::new(Heidenhain::default()),
         };
         Self {
-            input,
-            piece: Vec::new(),
-            used: 0,
+            lines: Lines::new(input, facts.form == Form::Statements),
+            flow: Flow::new(facts.form),
+            numbers: Vec::new(),
             vocabulary,
             facts,
             dialect,
@@ -247,8 +244,6 @@ impl<P: Pieces> Reader<P> {
             line: Vec::new(),
             blanked: Vec::new(),
             bare: Bare::default(),
-            number: 0,
-            joined: false,
             before_skip: None,
             own_retract,
             words: Words::default(),
@@ -277,11 +272,12 @@ impl<P: Pieces> Reader<P> {
     /// that nothing is prepared for more lines than one.
     #[inline(never)]
     fn execute_line(&mut self) -> io::Result<Option<bool>> {
-        let begins = self.number == 0;
-        let Some(long) = self.next_line()? else { return Ok(None) };
+        let begins = self.lines.number() == 0;
+        let Some(kind) = self.lines.next(&mut self.line)? else { return Ok(None) };
+        let LineKind { number, long, joined, misnumbered } = kind;
         self.block.faults.clear();
         self.block.own = None;
-        self.block.line = self.number;
+        self.block.line = number;
         self.orders.clear();
         self.step = 0;
         let mark = if begins { self.byte_order_mark() } else { None };
@@ -290,7 +286,31 @@ impl<P: Pieces> Reader<P> {
         if !long && self.block.faults.is_empty() && mark.is_none() && self.moves_along() {
             return Ok(Some(true));
         }
-        let is_block = long || self.read_line();
+        let taken = match long || self.dialect.is_in_guard() {
+            true => Taken::Block,
+            false => self.flow.take(&self.line, kind, &mut self.lines, &mut self.numbers)?,
+        };
+        if misnumbered {
+            fault(&mut self.block.faults, 0, "the line number does not follow that of the previous line");
+        }
+        let is_block = match taken {
+            Taken::Done => false,
+            Taken::Refused(why) => {
+                fault(&mut self.block.faults, 0, why);
+                true
+            }
+            Taken::Unknown(expression) => {
+                let is_block = self.read_line(false);
+                // A guard, and a line of the shop, may have it.
+                if self.block.faults.len() > self.orders.frame_faults && self.block.own.is_none() {
+                    let text = format!("the value of `{expression}` does not follow from the program");
+                    self.block.faults.insert(self.orders.frame_faults, Fault { column: 1, text });
+                }
+                is_block
+            }
+            Taken::Block => long || self.read_line(false),
+            Taken::Substituted => self.read_line(true),
+        };
         if long {
             let text = format!("this line is longer than {LONGEST} bytes and has not been read");
             fault(&mut self.block.faults, 0, text);
@@ -306,7 +326,10 @@ impl<P: Pieces> Reader<P> {
         let is_block = is_block || !self.block.faults.is_empty();
         if is_block {
             self.machine.begin(&self.orders, &mut self.block);
-            if self.joined {
+            if self.orders.acts.contains(&Act::End) {
+                self.flow.end();
+            }
+            if joined {
                 text::put_marks_back(&mut self.line);
             }
         }
@@ -331,7 +354,7 @@ impl<P: Pieces> Reader<P> {
 
     /// Lines read so far.
     pub(crate) fn lines(&self) -> u64 {
-        self.number
+        self.lines.number()
     }
 
     /// Takes away what an editor may put in front of the first block; the encoding that it stands for. No control is known
@@ -405,13 +428,17 @@ impl<P: Pieces> Reader<P> {
             || matches!(text, [b'(', inner @ .., b')'] if !inner.contains(&b')'))
     }
 
-    /// Reads a line into its orders; whether it is a block.
-    fn read_line(&mut self) -> bool {
+    /// Reads a line into its orders; whether it is a block. `substituted`: it has numbers in the place of expressions.
+    fn read_line(&mut self, substituted: bool) -> bool {
         let vocabulary = &self.vocabulary;
         // Lines and words with a declared effect are blanked out: the rest of their line is read by the table.
         self.bare.forget();
         let declared = own::declared(&self.line, vocabulary, &self.facts, &mut self.bare, &mut self.blanked);
-        let text = if declared.is_some() { &self.blanked } else { &self.line };
+        let text = match declared.is_some() {
+            true => &self.blanked,
+            false if substituted => &self.numbers,
+            false => &self.line,
+        };
         self.words.clear();
         let into = (&mut self.words, &mut self.orders);
         let mut line = Line::new(text, vocabulary, &self.machine, into, &mut self.block.faults);
@@ -432,84 +459,5 @@ impl<P: Pieces> Reader<P> {
             self.dialect.forget();
         }
         is_block
-    }
-
-    /// Reads a line, with those that continue it; says whether it was cut off.
-    fn next_line(&mut self) -> io::Result<Option<bool>> {
-        self.line.clear();
-        self.joined = false;
-        let (mut long, mut any) = (false, false);
-        loop {
-            let before = self.line.len();
-            let read = self.take_line()?;
-            if read == 0 {
-                return Ok(any.then_some(long));
-            }
-            any = true;
-            self.number += 1;
-            if self.line.last() == Some(&b'\n') {
-                self.line.pop();
-            } else if read == LONGEST {
-                long = true;
-                self.skip_line()?;
-            }
-            while self.line.len() > before && self.line.last().is_some_and(u8::is_ascii_whitespace) {
-                self.line.pop();
-            }
-            let goes_on = self.facts.form == Form::Statements && self.line[before..].last() == Some(&b'~');
-            long |= self.line.len() > LONGEST;
-            if long {
-                self.line.truncate(LONGEST);
-            }
-            if !goes_on {
-                return Ok(Some(long));
-            }
-            // It separates the parameters of a cycle, and a `~` anywhere else is text.
-            if let Some(mark) = self.line.last_mut() {
-                *mark = b' ';
-                self.line.push(GOES_ON);
-            }
-            self.joined = true;
-            if long {
-                self.line.truncate(before);
-            }
-        }
-    }
-
-    /// Appends the bytes up to the next line end, at most [`LONGEST`]; their number, the line end included.
-    fn take_line(&mut self) -> io::Result<usize> {
-        let mut read = 0;
-        loop {
-            let text = &self.piece[self.used..];
-            let text = &text[..text.len().min(LONGEST - read)];
-            let end = memchr::memchr(b'\n', text).map(|end| end + 1);
-            let count = end.unwrap_or(text.len());
-            self.line.extend_from_slice(&text[..count]);
-            self.used += count;
-            read += count;
-            if end.is_some() || read == LONGEST || !self.next_piece()? {
-                return Ok(read);
-            }
-        }
-    }
-
-    /// Passes over the bytes up to the next line end.
-    fn skip_line(&mut self) -> io::Result<()> {
-        loop {
-            match memchr::memchr(b'\n', &self.piece[self.used..]) {
-                Some(end) => self.used += end + 1,
-                None if self.next_piece()? => continue,
-                None => (),
-            }
-            return Ok(());
-        }
-    }
-
-    /// Gets the next piece; whether there is one.
-    #[inline(never)]
-    fn next_piece(&mut self) -> io::Result<bool> {
-        self.used = 0;
-        self.input.next_piece(&mut self.piece)?;
-        Ok(!self.piece.is_empty())
     }
 }

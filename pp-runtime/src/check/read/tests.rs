@@ -8,6 +8,7 @@ use crate::program::{Rotation, Units};
 mod arcs;
 mod closed;
 mod cycles;
+mod flow;
 mod frame;
 mod guards;
 mod heidenhain;
@@ -110,10 +111,10 @@ fn a_dwell_is_seconds_or_milliseconds() {
 
 #[test]
 fn what_is_not_known_is_a_fault_and_never_passed_over() {
-    for text in ["G77", "X1 @", "M55", "G1 X1 X2", "G0 G1 X1", "(open", "E5", "Q3", "G1 X1e5", "G43", "#1=5"] {
+    for text in ["G77", "X1 @", "M55", "G1 X1 X2", "G0 G1 X1", "(open", "E5", "Q3", "G1 X1e5", "G43", "#3000=5"] {
         assert!(!faults(Family::LinuxCnc, &format!("{LINUXCNC}{text}")).is_empty(), "{text}");
     }
-    for text in ["FOO", "G1 X=A", "CYCLE99(1)", "R1=5", "G0 G1 X1", "IF R1>0 GOTOF A"] {
+    for text in ["FOO", "G1 X=A", "CYCLE99(1)", "G0 G1 X1", "IF R1>0 GOTOF A"] {
         assert!(!faults(Family::Siemens, &format!("{SIEMENS}{text}")).is_empty(), "{text}");
     }
     for text in ["2 FOO", "2 L X+1 W+2", "3 L X+1", "L X+1", "2 PLANE VECTOR BX1", "2 CYCL DEF 19.0"] {

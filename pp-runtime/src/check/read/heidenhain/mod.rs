@@ -29,8 +29,6 @@ use crate::program::Units;
 /// What is remembered from one line to the next.
 #[derive(Debug, Default)]
 pub(super) struct Heidenhain {
-    /// The number of the line before.
-    last: Option<u64>,
     /// CC, as written.
     pole: [Option<f64>; 3],
     guard: LengthGuard,
@@ -46,7 +44,7 @@ impl Dialect for Heidenhain {
         if line.at.ended() {
             return false;
         }
-        self.number(line);
+        Self::number(line);
         line.at.blanks();
         self.sequence.line(line);
         line.orders.frame_faults = line.fault_count();
@@ -79,14 +77,10 @@ impl Dialect for Heidenhain {
 
 impl Heidenhain {
     /// The number of the line.
-    fn number(&mut self, line: &mut Line<'_>) {
+    fn number(line: &mut Line<'_>) {
         let Some(number) = line.at.number().and_then(whole).map(u64::from) else {
             return line.fault(0, "line without its line number");
         };
-        if self.last.is_some_and(|last| last + 1 != number) {
-            line.fault(0, "the line number does not follow that of the previous line");
-        }
-        self.last = Some(number);
         line.orders.number = Some(number);
     }
 

@@ -27,7 +27,7 @@ fn codes_that_move_change_or_repeat_and_are_not_in_the_table_are_faults() {
             "G66 P5",
             "GOTO 5",
             "WHILE [#1 LT 5] DO1",
-            "#1=5",
+            "#5221=5",
             "M99",
             "G76 X1. Z-5. R2. Q1. P1 F9.",
             "G88 X1. Z-5. R2. F9.",
@@ -52,7 +52,7 @@ fn codes_that_move_change_or_repeat_and_are_not_in_the_table_are_faults() {
         faulty(family, PLAIN, &texts);
     }
     let texts = [
-        "R1=5",
+        "R1=$AA_IW[X]",
         "TRANS X5",
         "ROT Z45",
         "AROT Z45",
@@ -81,7 +81,7 @@ fn codes_that_move_change_or_repeat_and_are_not_in_the_table_are_faults() {
         "SPOS=0",
         "MSG(5)",
         "G4",
-        "A:",
+        "A: X5",
         "MCALL=5",
         "$P_UIFR[1]=5",
         "G55.5",
@@ -146,7 +146,7 @@ fn forms_of_numbers_are_read_or_refused() {
     }
     for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas] {
         let texts = [
-            "G1 X[1+2] F9.",
+            "G1 X[1+#3] F9.",
             "G1 X#5 F9.",
             "G1 X-#5 F9.",
             "G1 X5.5.5",
@@ -164,7 +164,7 @@ fn forms_of_numbers_are_read_or_refused() {
     }
     let texts = [
         "G1 X=R1 F9",
-        "G1 X=5+2 F9",
+        "G1 X=5+R9 F9",
         "G1 X5*2 F9",
         "G1 X=AC(5",
         "G1 X=AC(5+1)",

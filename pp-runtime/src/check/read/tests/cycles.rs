@@ -189,13 +189,7 @@ fn every_parameter_of_a_heidenhain_cycle_is_executed_or_must_have_its_value() {
 
 #[test]
 fn parameters_of_the_cycle_in_force_cannot_be_changed() {
-    for text in [
-        "FN 0: Q201 = -50",
-        "FN 1: Q201 = -5 + -5",
-        "FN 18: SYSREAD Q201 = ID50 NR1 IDX3",
-        "Q201 = -50",
-        "FN 0: QL1 = +1",
-    ] {
+    for text in ["FN 0: Q201 = -50", "FN 1: Q201 = -5 + -5", "FN 18: SYSREAD Q201 = ID50 NR1 IDX3", "Q201 = -50"] {
         let program = called(PECKING).replace("4 L", &format!("4 {text}\n5 L"));
         assert!(!faults(Family::Heidenhain, &program).is_empty(), "{text}");
     }

@@ -1,0 +1,236 @@
+//! Expressions of programs: numbers, variables, functions, comparisons. Angles are degrees.
+//!
+//! A value is known where it follows from numbers of the program. What a control, a probe or a clock gives is not.
+
+use super::super::facts::Form;
+use super::super::text::Cursor;
+use super::variables::Variables;
+
+/// A value of an expression; `None`: it depends on what the program does not state.
+pub(super) type Value = Option<f64>;
+
+/// What is understood of an expression: its value, or that it is none of the language.
+type Parsed = Option<Value>;
+
+/// Numbers that differ by less than this are equal in a comparison: LinuxCNC `TOLERANCE_EQUAL`.
+const EQUAL: f64 = 1e-4;
+
+/// An expression while it is read.
+pub(super) struct Expression<'e, 'a> {
+    pub(super) at: &'e mut Cursor<'a>,
+    pub(super) variables: &'e Variables,
+    /// Nesting, which is limited.
+    depth: u8,
+}
+
+/// Deepest nesting of brackets.
+const DEEPEST: u8 = 32;
+
+impl<'e, 'a> Expression<'e, 'a> {
+    pub(super) fn new(at: &'e mut Cursor<'a>, variables: &'e Variables) -> Self {
+        Self { at, variables, depth: 0 }
+    }
+
+    /// A condition, or a number: what is true is 1.
+    pub(super) fn condition(&mut self) -> Parsed {
+        let mut value = self.comparison()?;
+        loop {
+            let and = self.operator(&["AND", "&&"]);
+            if !and && !self.operator(&["OR", "||"]) {
+                return Some(value);
+            }
+            let other = self.comparison()?;
+            value = match (value, other) {
+                (Some(one), Some(other)) if and => Some(f64::from(one != 0.0 && other != 0.0)),
+                (Some(one), Some(other)) => Some(f64::from(one != 0.0 || other != 0.0)),
+                _ => None,
+            };
+        }
+    }
+
+    fn comparison(&mut self) -> Parsed {
+        let one = self.sum()?;
+        let relations: [(&[&str], fn(f64, f64) -> bool); 6] = [
+            (&["EQU", "EQ", "=="], |a, b| (a - b).abs() < EQUAL),
+            (&["NE", "<>"], |a, b| (a - b).abs() >= EQUAL),
+            (&["GE", ">="], |a, b| a > b - EQUAL),
+            (&["LE", "<="], |a, b| a < b + EQUAL),
+            (&["GT", ">"], |a, b| a >= b + EQUAL),
+            (&["LT", "<"], |a, b| a <= b - EQUAL),
+        ];
+        let Some((_, holds)) = relations.into_iter().find(|(names, _)| self.operator(names)) else { return Some(one) };
+        let other = self.sum()?;
+        Some(one.zip(other).map(|(one, other)| f64::from(holds(one, other))))
+    }
+
+    fn sum(&mut self) -> Parsed {
+        let mut value = self.product()?;
+        loop {
+            let minus = self.sign(b'-');
+            if !minus && !self.sign(b'+') {
+                return Some(value);
+            }
+            let other = self.product()?;
+            value = value.zip(other).map(|(one, other)| if minus { one - other } else { one + other });
+        }
+    }
+
+    fn product(&mut self) -> Parsed {
+        let mut value = self.power()?;
+        loop {
+            let modulo = self.operator(&["MOD"]);
+            let times = !modulo && self.sign(b'*');
+            let divided = !modulo && !times && (self.sign(b'/') || self.operator(&["DIV"]));
+            if !modulo && !times && !divided {
+                return Some(value);
+            }
+            let other = self.power()?;
+            value = value.zip(other).and_then(|(one, other)| match () {
+                () if times => Some(one * other),
+                () if other == 0.0 => None,
+                () if divided => Some(one / other),
+                () => Some(one.rem_euclid(other)),
+            });
+        }
+    }
+
+    fn power(&mut self) -> Parsed {
+        let value = self.signed()?;
+        if !self.sign(b'^') && !self.operator(&["**"]) {
+            return Some(value);
+        }
+        let other = self.signed()?;
+        Some(value.zip(other).map(|(one, other)| one.powf(other)).filter(|value| value.is_finite()))
+    }
+
+    /// A number, a variable, a function or brackets, with a sign.
+    pub(super) fn signed(&mut self) -> Parsed {
+        self.at.blanks();
+        let minus = self.at.take(b'-');
+        if !minus {
+            self.at.take(b'+');
+        }
+        let value = self.primary()?;
+        Some(value.map(|value| if minus { -value } else { value }))
+    }
+
+    fn primary(&mut self) -> Parsed {
+        self.at.blanks();
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return None;
+        }
+        let value = match self.at.peek()? {
+            b'0'..=b'9' | b'.' => Some(Some(self.at.number()?.value)),
+            b'[' | b'(' => self.brackets(),
+            _ => match self.variables.read(self.at) {
+                Some(variable) => Some(self.variables.value(&variable)),
+                None => self.function(),
+            },
+        };
+        self.depth -= 1;
+        value
+    }
+
+    fn brackets(&mut self) -> Parsed {
+        let close = if self.at.take(b'[') {
+            b']'
+        } else {
+            self.at.take(b'(').then_some(())?;
+            b')'
+        };
+        let value = self.condition()?;
+        self.at.blanks();
+        self.at.take(close).then_some(value)
+    }
+
+    fn function(&mut self) -> Parsed {
+        let name = self.at.name().to_ascii_uppercase();
+        let unary: fn(f64) -> f64 = match &name[..] {
+            b"PI" => return Some(Some(std::f64::consts::PI)),
+            b"SIN" => |x| x.to_radians().sin(),
+            b"COS" => |x| x.to_radians().cos(),
+            b"TAN" => |x| x.to_radians().tan(),
+            b"ASIN" => |x| x.asin().to_degrees(),
+            b"ACOS" => |x| x.acos().to_degrees(),
+            b"ATAN" | b"ATAN2" => return self.arc_tangent(),
+            b"SQRT" => f64::sqrt,
+            b"SQ" | b"POT" => |x| x * x,
+            b"ABS" => f64::abs,
+            b"ROUND" => f64::round,
+            b"FIX" | b"INT" | b"TRUNC" => f64::trunc,
+            b"FUP" => f64::ceil,
+            b"FRAC" => f64::fract,
+            b"EXP" => f64::exp,
+            b"LN" => f64::ln,
+            b"NEG" => |x| -x,
+            _ => return None,
+        };
+        let value = self.argument()?;
+        Some(value.map(unary).filter(|value| value.is_finite()))
+    }
+
+    /// Brackets, or on a Heidenhain a number or a variable.
+    fn argument(&mut self) -> Parsed {
+        self.at.blanks();
+        match self.at.peek()? {
+            b'[' | b'(' => self.brackets(),
+            _ if self.variables.form() == Form::Statements => self.signed(),
+            _ => None,
+        }
+    }
+
+    /// `ATAN[y]/[x]`, `ATAN2(y,x)`, `ATAN x`.
+    fn arc_tangent(&mut self) -> Parsed {
+        self.at.blanks();
+        match self.variables.form() {
+            Form::Letters => {
+                let y = self.brackets()?;
+                self.sign(b'/').then_some(())?;
+                let x = self.brackets()?;
+                Some(y.zip(x).map(|(y, x)| y.atan2(x).to_degrees()))
+            }
+            Form::Keywords => {
+                self.at.take(b'(').then_some(())?;
+                let y = self.sum()?;
+                self.sign(b',').then_some(())?;
+                let x = self.sum()?;
+                self.sign(b')').then_some(y.zip(x).map(|(y, x)| y.atan2(x).to_degrees()))
+            }
+            Form::Statements => Some(self.argument()?.map(|value| value.atan().to_degrees())),
+        }
+    }
+
+    /// Takes a sign of one byte with the blanks before it, if it comes next.
+    fn sign(&mut self, sign: u8) -> bool {
+        let mut at = *self.at;
+        at.blanks();
+        let found = !(sign == b'*' && at.rest().starts_with(b"**")) && at.take(sign);
+        if found {
+            *self.at = at;
+        }
+        found
+    }
+
+    /// Takes one of several names of an operator with the blanks before it: letters as a word, signs as they are.
+    fn operator(&mut self, names: &[&str]) -> bool {
+        let mut at = *self.at;
+        at.blanks();
+        names.iter().any(|name| {
+            let letters = name.as_bytes()[0].is_ascii_alphabetic();
+            let rest = at.rest();
+            let here = rest.len() >= name.len() && rest[..name.len()].eq_ignore_ascii_case(name.as_bytes());
+            // `GE5` is GE and 5, and `<=` is no `<`.
+            let ends = match rest.get(name.len()) {
+                Some(next) if letters => !next.is_ascii_alphabetic(),
+                Some(next) => !matches!(next, b'=' | b'>' | b'<'),
+                None => true,
+            };
+            if here && ends {
+                at.skip(name.len());
+                *self.at = at;
+            }
+            here && ends
+        })
+    }
+}

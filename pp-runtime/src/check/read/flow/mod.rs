@@ -1,0 +1,468 @@
+//! Lines in the order in which a control executes them: variables, conditions, loops, jumps and subprograms whose values follow from
+//! numbers of the program.
+//!
+//! A statement is carried out here, and a block comes out with numbers in the place of its expressions. What depends on a
+//! value that the program does not state (a measured length, the clock) is left to the families, which know guards and
+//! refuse the rest. Lines are kept from the first statement on, so that a program without statements needs no memory for them.
+
+mod expression;
+mod statement;
+mod substitute;
+mod variables;
+
+use std::io;
+
+use super::Pieces;
+use super::facts::Form;
+use super::lines::{LineKind, Lines};
+use expression::Value;
+use statement::{Label, Statement, has_label, parse};
+use variables::{Variable, Variables};
+
+/// Most jumps of one program: more are taken for a loop without an end.
+const MOST_JUMPS: u64 = 1_000_000;
+
+/// Deepest nesting of loops, conditions and calls.
+const DEEPEST: usize = 64;
+
+/// What becomes of a line.
+#[derive(Debug, PartialEq)]
+pub(super) enum Taken {
+    /// It is a block as it is.
+    Block,
+    /// It is a block with numbers in the place of expressions.
+    Substituted,
+    /// It has been carried out, or belongs to a subprogram that is executed where it is called.
+    Done,
+    /// It is a statement that cannot be carried out, and why.
+    Refused(String),
+    /// An expression of it has a value that the program does not state: it may belong to a guard.
+    Unknown(String),
+}
+
+/// A construct that has begun.
+#[derive(Debug)]
+struct Frame {
+    label: Label,
+    kind: FrameKind,
+    /// Place of its first line.
+    place: usize,
+}
+
+#[derive(Debug)]
+enum FrameKind {
+    If,
+    While,
+    /// Rounds that are left.
+    Repeat(u32),
+    For(Variable, f64),
+    /// Line to which it returns, calls that are left, and the variables of its caller.
+    Call {
+        back: usize,
+        left: u32,
+        caller: Option<Box<Variables>>,
+    },
+    /// Rounds of a section that are left.
+    Section(u32),
+}
+
+/// Statements of a program while it is executed.
+#[derive(Debug)]
+pub(super) struct Flow {
+    form: Form,
+    variables: Variables,
+    frames: Vec<Frame>,
+    jumps: u64,
+    /// Labels of subprograms that have been called.
+    called: Vec<Label>,
+    /// The end code has come; the lines after it are those of subprograms, and whether one has begun.
+    ended: bool,
+    in_subprogram: bool,
+}
+
+impl Flow {
+    pub(super) fn new(form: Form) -> Self {
+        let variables = Variables::new(form);
+        Self { form, variables, frames: Vec::new(), jumps: 0, called: Vec::new(), ended: false, in_subprogram: false }
+    }
+
+    /// The program has ended.
+    pub(super) fn end(&mut self) {
+        self.ended = true;
+    }
+
+    /// Takes a line: carries out a statement, or puts the block with its numbers into `text`.
+    pub(super) fn take<P: Pieces>(
+        &mut self,
+        line: &[u8],
+        kind: LineKind,
+        lines: &mut Lines<P>,
+        text: &mut Vec<u8>,
+    ) -> io::Result<Taken> {
+        if self.ended {
+            return Ok(self.after_end(line));
+        }
+        if !substitute::may_state(line, self.form) {
+            return Ok(Taken::Block);
+        }
+        if let Some(statement) = parse(line, &self.variables) {
+            let place = lines.keep(line, kind);
+            return self.execute(statement, place, lines);
+        }
+        text.clear();
+        Ok(match substitute::numbers(line, &self.variables, text) {
+            Ok(false) => Taken::Block,
+            Ok(true) => Taken::Substituted,
+            Err(expression) => Taken::Unknown(expression),
+        })
+    }
+
+    /// After the end code subprograms may follow: they are executed where they are called.
+    fn after_end(&mut self, line: &[u8]) -> Taken {
+        let begins = match self.form {
+            Form::Letters => {
+                matches!(line.trim_ascii(), [b'O' | b'o' | b':', b'0'..=b'9', ..])
+                    || self.called.iter().any(|label| has_label(line, label, self.form))
+            }
+            Form::Keywords => false,
+            Form::Statements => parse(line, &self.variables) == Some(Statement::Label),
+        };
+        self.in_subprogram |= begins;
+        let inside = self.in_subprogram;
+        if parse(line, &self.variables) == Some(Statement::Return) {
+            self.in_subprogram = false;
+        }
+        if inside { Taken::Done } else { Taken::Block }
+    }
+
+    fn execute<P: Pieces>(&mut self, statement: Statement, place: usize, lines: &mut Lines<P>) -> io::Result<Taken> {
+        // What a probe or a clock decides is for the family.
+        let unknown = |value: &Value| value.is_none();
+        let next = place + 1;
+        match statement {
+            Statement::If(condition, _)
+            | Statement::While(condition, _)
+            | Statement::Jump(condition, _)
+            | Statement::Repeat(condition, _)
+                if unknown(&condition) =>
+            {
+                return Ok(Taken::Block);
+            }
+            Statement::Assign(assigned) => {
+                for (variable, value) in assigned {
+                    if variable.first().is_some_and(|first| first.is_ascii_alphabetic()) && self.form == Form::Keywords
+                    {
+                        self.variables.define(variable.clone());
+                    }
+                    if !self.variables.set(variable, value) {
+                        return Ok(Taken::Refused("more variables than any program has".to_owned()));
+                    }
+                }
+            }
+            Statement::If(condition, label) => {
+                if condition != Some(0.0) {
+                    return Ok(self.push(label, FrameKind::If, next));
+                }
+                // To the line after ELSE, whose end is an end of the condition, or after the end.
+                return match self.find_end(lines, next, &label, true)? {
+                    Some(at) => {
+                        lines.go_to(at + 1);
+                        let has_else = matches!(
+                            lines.kept(at).and_then(|line| parse(line, &self.variables)),
+                            Some(Statement::Else(_))
+                        );
+                        Ok(if has_else { self.push(label, FrameKind::If, at + 1) } else { Taken::Done })
+                    }
+                    None => Ok(Taken::Refused("the end of this condition is not in the program".to_owned())),
+                };
+            }
+            Statement::Else(label) => {
+                if !matches!(self.frames.pop(), Some(Frame { kind: FrameKind::If, label: of, .. }) if of == label) {
+                    return Ok(Taken::Refused("ELSE without its condition".to_owned()));
+                }
+                return self.skip_to_end(lines, next, &label);
+            }
+            Statement::EndIf(label) => {
+                if !matches!(self.frames.last(), Some(Frame { kind: FrameKind::If, label: of, .. }) if *of == label) {
+                    // That of a guard.
+                    return Ok(Taken::Block);
+                }
+                self.frames.pop();
+            }
+            Statement::While(condition, label) => {
+                if condition == Some(0.0) {
+                    return self.skip_to_end(lines, next, &label);
+                }
+                return Ok(self.push(label, FrameKind::While, place));
+            }
+            Statement::Repeat(times, label) => {
+                let times = times.map_or(0, |times| times.max(0.0) as u32);
+                if times == 0 {
+                    return self.skip_to_end(lines, next, &label);
+                }
+                return Ok(self.push(label, FrameKind::Repeat(times - 1), next));
+            }
+            Statement::For(variable, from, to, label) => {
+                let (Some(from), Some(to)) = (from, to) else { return Ok(Taken::Block) };
+                self.variables.set(variable.clone(), Some(from));
+                if from > to {
+                    return self.skip_to_end(lines, next, &label);
+                }
+                return Ok(self.push(label, FrameKind::For(variable, to), next));
+            }
+            Statement::EndLoop(label) => return Ok(self.end_of_round(&label, lines)),
+            Statement::Jump(condition, label) => {
+                if condition != Some(0.0) {
+                    return self.jump(&label, next, lines);
+                }
+            }
+            Statement::Label => {}
+            Statement::Sub(label) => {
+                let ends = |line: &[u8], variables: &Variables| {
+                    parse(line, variables) == Some(Statement::EndSub(label.clone()))
+                };
+                match lines.find(next, |line| ends(line, &self.variables))? {
+                    Some(at) => lines.go_to(at + 1),
+                    None => return Ok(Taken::Refused("the end of this subprogram is not in the program".to_owned())),
+                }
+            }
+            Statement::EndSub(_) | Statement::Return => return Ok(self.come_back(lines)),
+            Statement::Call(label, times, arguments) => return self.call(label, times, arguments, next, lines),
+            Statement::RepeatFrom(label, times) => return self.repeat_from(label, times, place, lines),
+        }
+        Ok(Taken::Done)
+    }
+
+    /// Begins a construct.
+    fn push(&mut self, label: Label, kind: FrameKind, place: usize) -> Taken {
+        if self.frames.len() >= DEEPEST {
+            return Taken::Refused("loops, conditions and calls are nested too deep".to_owned());
+        }
+        self.frames.push(Frame { label, kind, place });
+        Taken::Done
+    }
+
+    /// Place of the end of a construct that begins before a place: of its ELSE, too, if that counts.
+    fn find_end<P: Pieces>(
+        &self,
+        lines: &mut Lines<P>,
+        from: usize,
+        label: &Label,
+        or_else: bool,
+    ) -> io::Result<Option<usize>> {
+        let mut depth = 0_usize;
+        lines.find(from, |line| {
+            let Some(statement) = parse(line, &self.variables) else { return false };
+            let of_label = |of: &Label| of == label;
+            match &statement {
+                Statement::If(_, of)
+                | Statement::While(_, of)
+                | Statement::Repeat(_, of)
+                | Statement::For(_, _, _, of) => {
+                    depth += usize::from(of_label(of));
+                    false
+                }
+                Statement::Else(of) => or_else && depth == 0 && of_label(of),
+                Statement::EndIf(of) | Statement::EndLoop(of) if of_label(of) => {
+                    let ends = depth == 0;
+                    depth = depth.saturating_sub(1);
+                    ends
+                }
+                _ => false,
+            }
+        })
+    }
+
+    /// Goes to the line after the end of a construct.
+    fn skip_to_end<P: Pieces>(&mut self, lines: &mut Lines<P>, from: usize, label: &Label) -> io::Result<Taken> {
+        Ok(match self.find_end(lines, from, label, false)? {
+            Some(at) => {
+                lines.go_to(at + 1);
+                Taken::Done
+            }
+            None => Taken::Refused("the end of this loop or condition is not in the program".to_owned()),
+        })
+    }
+
+    /// The end of a loop.
+    fn end_of_round<P>(&mut self, label: &Label, lines: &mut Lines<P>) -> Taken
+    where
+        P: Pieces,
+    {
+        let Some(frame) = self.frames.last_mut().filter(|frame| frame.label == *label) else {
+            return Taken::Refused("the end of a loop that has not begun".to_owned());
+        };
+        let place = frame.place;
+        let again = match &mut frame.kind {
+            FrameKind::While => {
+                self.frames.pop();
+                true
+            }
+            FrameKind::Repeat(left) => match left.checked_sub(1) {
+                Some(fewer) => {
+                    *left = fewer;
+                    true
+                }
+                None => false,
+            },
+            FrameKind::For(variable, to) => {
+                let value = self.variables.value(variable).map(|value| value + 1.0);
+                let again = value.is_some_and(|value| value <= *to);
+                self.variables.set(variable.clone(), value);
+                again
+            }
+            FrameKind::If | FrameKind::Call { .. } | FrameKind::Section(_) => {
+                return Taken::Refused("the end of a loop within another construct".to_owned());
+            }
+        };
+        if again {
+            return self.lead(lines, place);
+        }
+        self.frames.pop();
+        Taken::Done
+    }
+
+    /// Goes to a place.
+    fn lead<P: Pieces>(&mut self, lines: &mut Lines<P>, place: usize) -> Taken {
+        self.jumps += 1;
+        if self.jumps > MOST_JUMPS {
+            return Taken::Refused(format!("after {MOST_JUMPS} jumps and rounds the program has no end"));
+        }
+        lines.go_to(place);
+        Taken::Done
+    }
+
+    /// Place of a label, looked for from a line on and then from the first that is kept.
+    fn place_of<P: Pieces>(&self, label: &Label, from: usize, lines: &mut Lines<P>) -> io::Result<Option<usize>> {
+        let form = self.form;
+        let after = lines.find(from, |line| has_label(line, label, form))?;
+        match after {
+            Some(place) => Ok(Some(place)),
+            None => lines.find_kept(|line| has_label(line, label, form)),
+        }
+    }
+
+    fn jump<P: Pieces>(&mut self, label: &Label, from: usize, lines: &mut Lines<P>) -> io::Result<Taken> {
+        // A jump out of loops and conditions ends them.
+        while self
+            .frames
+            .last()
+            .is_some_and(|frame| !matches!(frame.kind, FrameKind::Call { .. } | FrameKind::Section(_)))
+        {
+            self.frames.pop();
+        }
+        Ok(match self.place_of(label, from, lines)? {
+            Some(place) => self.lead(lines, place),
+            None => Taken::Refused(format!(
+                "the target `{}` of this jump is not in the program after its first statement",
+                String::from_utf8_lossy(label)
+            )),
+        })
+    }
+
+    /// A subprogram of this program; a call of another is for the family.
+    fn call<P: Pieces>(
+        &mut self,
+        label: Label,
+        times: u32,
+        arguments: Option<Vec<(Variable, Value)>>,
+        back: usize,
+        lines: &mut Lines<P>,
+    ) -> io::Result<Taken> {
+        let form = self.form;
+        let is_sub = |line: &[u8], variables: &Variables| match form {
+            Form::Letters if has_label(line, &label, form) => true,
+            Form::Letters => parse(line, variables) == Some(Statement::Sub(label.clone())),
+            Form::Keywords | Form::Statements => has_label(line, &label, form),
+        };
+        let place = match lines.find_kept(|line| is_sub(line, &self.variables))? {
+            Some(place) => Some(place),
+            None => lines.find(back, |line| is_sub(line, &self.variables))?,
+        };
+        let Some(place) = place else {
+            lines.go_to(back);
+            return Ok(Taken::Block);
+        };
+        if !self.called.contains(&label) {
+            self.called.push(label.clone());
+        }
+        if times == 0 {
+            lines.go_to(back);
+            return Ok(Taken::Done);
+        }
+        let caller = arguments.map(|arguments| {
+            let caller = self.variables.clone();
+            for number in 1..=33 {
+                self.variables.set(format!("#{number}").into_bytes(), None);
+            }
+            for (variable, value) in arguments {
+                self.variables.set(variable, value);
+            }
+            Box::new(caller)
+        });
+        // A block number is that of the first block; a name is on a line of its own.
+        let is_block = form == Form::Letters
+            && !label.starts_with(b"O")
+            && lines.kept(place).is_some_and(|line| parse(line, &self.variables).is_none());
+        let first = place + usize::from(!is_block);
+        let pushed = self.push(label, FrameKind::Call { back, left: times - 1, caller }, first);
+        Ok(if pushed == Taken::Done { self.lead(lines, first) } else { pushed })
+    }
+
+    /// The end of a subprogram.
+    fn come_back<P: Pieces>(&mut self, lines: &mut Lines<P>) -> Taken {
+        while let Some(frame) = self.frames.last_mut() {
+            let place = frame.place;
+            match &mut frame.kind {
+                FrameKind::Call { back, left, caller } => {
+                    if let Some(fewer) = left.checked_sub(1) {
+                        *left = fewer;
+                        return self.lead(lines, place);
+                    }
+                    let (back, caller) = (*back, caller.take());
+                    self.frames.pop();
+                    if let Some(caller) = caller {
+                        self.variables.restore_locals(&caller);
+                    }
+                    return self.lead(lines, back);
+                }
+                _ => drop(self.frames.pop()),
+            }
+        }
+        match self.form {
+            // LBL 0 outside a subprogram is the end of a section.
+            Form::Statements => Taken::Done,
+            Form::Letters | Form::Keywords => {
+                Taken::Refused("the end of a subprogram, and none has been called: the program begins again".to_owned())
+            }
+        }
+    }
+
+    /// `CALL LBL 1 REP 2`: the lines from the label to here, twice more.
+    fn repeat_from<P: Pieces>(
+        &mut self,
+        label: Label,
+        times: u32,
+        place: usize,
+        lines: &mut Lines<P>,
+    ) -> io::Result<Taken> {
+        let here = |frame: &Frame| frame.place == place && matches!(frame.kind, FrameKind::Section(_));
+        if !self.frames.last().is_some_and(here) {
+            let pushed = self.push(label.clone(), FrameKind::Section(times), place);
+            if pushed != Taken::Done {
+                return Ok(pushed);
+            }
+        }
+        let Some(Frame { kind: FrameKind::Section(left), .. }) = self.frames.last_mut() else { return Ok(Taken::Done) };
+        let Some(fewer) = left.checked_sub(1) else {
+            self.frames.pop();
+            return Ok(Taken::Done);
+        };
+        *left = fewer;
+        let form = self.form;
+        Ok(match lines.find_kept(|line| has_label(line, &label, form))? {
+            Some(start) if start < place => self.lead(lines, start + 1),
+            _ => Taken::Refused("the label of this section is not before it".to_owned()),
+        })
+    }
+}

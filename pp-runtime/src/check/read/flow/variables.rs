@@ -1,0 +1,138 @@
+//! Variables of a program, and how each form of programs writes them.
+
+use std::collections::HashMap;
+
+use super::super::facts::Form;
+use super::super::text::Cursor;
+use super::expression::{Expression, Value};
+
+/// Largest number of variables that a program may set.
+const MOST: usize = 100_000;
+
+/// A variable by its name: `#5`, `#<DEPTH>`, `R5`, `Q5`, `QL5`; blanks and case do not count.
+pub(super) type Variable = Vec<u8>;
+
+/// Values of the variables that the program has set.
+#[derive(Debug, Clone)]
+pub(super) struct Variables {
+    form: Form,
+    values: HashMap<Variable, Value>,
+    /// Names that a program has defined (DEF).
+    defined: Vec<Variable>,
+}
+
+impl Variables {
+    pub(super) fn new(form: Form) -> Self {
+        Self { form, values: HashMap::new(), defined: Vec::new() }
+    }
+
+    pub(super) fn form(&self) -> Form {
+        self.form
+    }
+
+    /// The value of a variable; `None` where the program has not set it, or to what is not known.
+    pub(super) fn value(&self, variable: &Variable) -> Value {
+        self.values.get(variable).copied().flatten()
+    }
+
+    /// Sets a variable; `false` where there are too many.
+    pub(super) fn set(&mut self, variable: Variable, value: Value) -> bool {
+        if self.values.len() >= MOST && !self.values.contains_key(&variable) {
+            return false;
+        }
+        self.values.insert(variable, value);
+        true
+    }
+
+    /// Gives the local variables of LinuxCNC, Fanuc and Haas the values of the caller of a subprogram.
+    pub(super) fn restore_locals(&mut self, caller: &Self) {
+        for number in 1..=33 {
+            let variable = format!("#{number}").into_bytes();
+            let value = caller.value(&variable);
+            self.values.insert(variable, value);
+        }
+    }
+
+    /// Defines a name.
+    pub(super) fn define(&mut self, name: Variable) {
+        self.defined.push(name);
+    }
+
+    /// Takes a variable if one comes next.
+    pub(super) fn read(&self, at: &mut Cursor<'_>) -> Option<Variable> {
+        let start = *at;
+        let found = self.name(at);
+        if found.is_none() {
+            *at = start;
+        }
+        found
+    }
+
+    fn name(&self, at: &mut Cursor<'_>) -> Option<Variable> {
+        match self.form {
+            Form::Letters => {
+                at.take(b'#').then_some(())?;
+                at.blanks();
+                if at.take(b'<') {
+                    let end = at.rest().iter().position(|byte| *byte == b'>')?;
+                    let name = &at.rest()[..end];
+                    at.skip(end + 1);
+                    let letters = name.iter().filter(|byte| !byte.is_ascii_whitespace());
+                    return Some(b"#<".iter().copied().chain(letters.map(u8::to_ascii_uppercase)).collect());
+                }
+                // A variable, or brackets, may give the number.
+                let number = match at.peek()? {
+                    b'0'..=b'9' => at.number()?.value,
+                    _ => Expression::new(at, self).signed()??,
+                };
+                numbered(b"#", number)
+            }
+            Form::Keywords => {
+                let name = at.name().to_ascii_uppercase();
+                match &name[..] {
+                    [b'R', digits @ ..] if !digits.is_empty() && digits.iter().all(u8::is_ascii_digit) => Some(name),
+                    [b'R'] if at.peek() == Some(b'[') => {
+                        at.skip(1);
+                        let number = Expression::new(at, self).condition()??;
+                        at.take(b']').then_some(())?;
+                        numbered(b"R", number)
+                    }
+                    _ => self.defined.contains(&name).then_some(name),
+                }
+            }
+            Form::Statements => {
+                let letters = at.letters();
+                matches!(letters, b"Q" | b"QL" | b"QR").then_some(())?;
+                at.peek().filter(u8::is_ascii_digit)?;
+                numbered(letters, at.number()?.value)
+            }
+        }
+    }
+
+    /// Whether a program may set a variable: others belong to the control.
+    pub(super) fn is_of_program(&self, variable: &Variable) -> bool {
+        match self.form {
+            Form::Letters => {
+                let digits = variable.strip_prefix(b"#").unwrap_or_default();
+                match std::str::from_utf8(digits).ok().and_then(|digits| digits.parse::<u32>().ok()) {
+                    // LinuxCNC: from 5061 on; Fanuc and Haas: from 1000 on.
+                    Some(number) => (1..1000).contains(&number),
+                    None => true,
+                }
+            }
+            Form::Keywords => true,
+            // Cycles read Q200 and up, the control sets Q100 and up.
+            Form::Statements => match variable.strip_prefix(b"Q") {
+                Some(digits) if digits.first().is_some_and(u8::is_ascii_digit) => digits.len() <= 2,
+                _ => true,
+            },
+        }
+    }
+}
+
+/// A letter and a number.
+fn numbered(letters: &[u8], number: f64) -> Option<Variable> {
+    let whole = number.round();
+    ((number - whole).abs() < 1e-6 && (0.0..=99_999.0).contains(&whole))
+        .then(|| [letters, (whole as u32).to_string().as_bytes()].concat())
+}

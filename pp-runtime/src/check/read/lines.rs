@@ -1,0 +1,210 @@
+//! Lines of a program, read piece by piece. From the first statement on that may lead back to a line they are kept.
+
+use std::io;
+
+use super::Pieces;
+use super::text::GOES_ON;
+
+/// A line longer than this is no line of a program, bytes.
+pub(super) const LONGEST: usize = 1 << 16;
+
+/// What is known of a line besides its text.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct LineKind {
+    /// Number of the line, of the last one where it goes on in the next, from 1.
+    pub(crate) number: u64,
+    /// It was cut off.
+    pub(crate) long: bool,
+    /// It has been joined of several.
+    pub(crate) joined: bool,
+    /// Its number is not one more than that of the line before, where every line has a number.
+    pub(crate) misnumbered: bool,
+}
+
+/// The lines of a program.
+#[derive(Debug)]
+pub(super) struct Lines<P> {
+    input: P,
+    piece: Vec<u8>,
+    /// Number of bytes of the piece that have been read.
+    used: usize,
+    /// Every line has a number, and one that ends in `~` goes on in the next.
+    numbered: bool,
+    /// The number with which the last one begins.
+    last: Option<u64>,
+    /// Number of lines read from the input.
+    number: u64,
+    /// Lines that are kept, the place of the next one, and whether further ones are kept.
+    kept: Vec<(Vec<u8>, LineKind)>,
+    next: usize,
+    keeps: bool,
+}
+
+impl<P: Pieces> Lines<P> {
+    pub(super) fn new(input: P, numbered: bool) -> Self {
+        Self {
+            input,
+            piece: Vec::new(),
+            used: 0,
+            numbered,
+            last: None,
+            number: 0,
+            kept: Vec::new(),
+            next: 0,
+            keeps: false,
+        }
+    }
+
+    /// Number of lines read so far.
+    pub(super) fn number(&self) -> u64 {
+        self.number
+    }
+
+    /// Puts the next line into `line`; `None` after the last one.
+    pub(super) fn next(&mut self, line: &mut Vec<u8>) -> io::Result<Option<LineKind>> {
+        if let Some((text, kind)) = self.kept.get(self.next) {
+            line.clone_from(text);
+            self.next += 1;
+            return Ok(Some(*kind));
+        }
+        let Some(kind) = self.read_numbered(line)? else { return Ok(None) };
+        if self.keeps {
+            self.kept.push((line.clone(), kind));
+            self.next = self.kept.len();
+        }
+        Ok(Some(kind))
+    }
+
+    /// Keeps the line at hand and those after it; its place.
+    pub(super) fn keep(&mut self, line: &[u8], kind: LineKind) -> usize {
+        if !self.keeps {
+            self.keeps = true;
+            self.kept.push((line.to_vec(), kind));
+            self.next = 1;
+        }
+        self.next - 1
+    }
+
+    /// The text of a line that is kept.
+    pub(super) fn kept(&self, place: usize) -> Option<&[u8]> {
+        self.kept.get(place).map(|(text, _)| text.as_slice())
+    }
+
+    /// Place of the first line that suits among those that are kept.
+    pub(super) fn find_kept(&self, mut suits: impl FnMut(&[u8]) -> bool) -> io::Result<Option<usize>> {
+        Ok(self.kept.iter().position(|(text, _)| suits(text)))
+    }
+
+    /// Goes to a line that is kept.
+    pub(super) fn go_to(&mut self, place: usize) {
+        self.next = place;
+    }
+
+    /// Place of the first line from a place on that suits; all further lines are read for it and kept.
+    pub(super) fn find(&mut self, from: usize, mut suits: impl FnMut(&[u8]) -> bool) -> io::Result<Option<usize>> {
+        let mut line = Vec::new();
+        let mut place = from;
+        loop {
+            if place == self.kept.len() {
+                let Some(kind) = self.read_numbered(&mut line)? else { return Ok(None) };
+                self.kept.push((line.clone(), kind));
+            }
+            if suits(&self.kept[place].0) {
+                return Ok(Some(place));
+            }
+            place += 1;
+        }
+    }
+
+    /// Reads a line, and compares its number with that of the line before.
+    fn read_numbered(&mut self, line: &mut Vec<u8>) -> io::Result<Option<LineKind>> {
+        let kind = self.read(line)?;
+        let text = line.trim_ascii_start();
+        let text = text.strip_prefix(b"/").unwrap_or(text);
+        let digits = text.iter().take_while(|byte| byte.is_ascii_digit()).count();
+        let number = std::str::from_utf8(&text[..digits]).ok().and_then(|number| number.parse::<u64>().ok());
+        if !self.numbered || number.is_none() {
+            return Ok(kind);
+        }
+        let misnumbered = self.last.is_some_and(|last| number != Some(last + 1));
+        self.last = number;
+        Ok(kind.map(|kind| LineKind { misnumbered, ..kind }))
+    }
+
+    /// Reads a line, with those that continue it.
+    fn read(&mut self, line: &mut Vec<u8>) -> io::Result<Option<LineKind>> {
+        line.clear();
+        let (mut long, mut joined) = (false, false);
+        loop {
+            let before = line.len();
+            let read = self.take(line)?;
+            if read == 0 {
+                return Ok(joined.then_some(LineKind { number: self.number, long, joined, misnumbered: false }));
+            }
+            self.number += 1;
+            if line.last() == Some(&b'\n') {
+                line.pop();
+            } else if read == LONGEST {
+                long = true;
+                self.skip()?;
+            }
+            while line.len() > before && line.last().is_some_and(u8::is_ascii_whitespace) {
+                line.pop();
+            }
+            let goes_on = self.numbered && line[before..].last() == Some(&b'~');
+            long |= line.len() > LONGEST;
+            if long {
+                line.truncate(LONGEST);
+            }
+            if !goes_on {
+                return Ok(Some(LineKind { number: self.number, long, joined, misnumbered: false }));
+            }
+            // It separates the parameters of a cycle, and a `~` anywhere else is text.
+            if let Some(mark) = line.last_mut() {
+                *mark = b' ';
+                line.push(GOES_ON);
+            }
+            joined = true;
+            if long {
+                line.truncate(before);
+            }
+        }
+    }
+
+    /// Appends the bytes up to the next line end, at most [`LONGEST`]; their number, the line end included.
+    fn take(&mut self, line: &mut Vec<u8>) -> io::Result<usize> {
+        let mut read = 0;
+        loop {
+            let text = &self.piece[self.used..];
+            let text = &text[..text.len().min(LONGEST - read)];
+            let end = memchr::memchr(b'\n', text).map(|end| end + 1);
+            let count = end.unwrap_or(text.len());
+            line.extend_from_slice(&text[..count]);
+            self.used += count;
+            read += count;
+            if end.is_some() || read == LONGEST || !self.next_piece()? {
+                return Ok(read);
+            }
+        }
+    }
+
+    /// Passes over the bytes up to the next line end.
+    fn skip(&mut self) -> io::Result<()> {
+        loop {
+            match memchr::memchr(b'\n', &self.piece[self.used..]) {
+                Some(end) => self.used += end + 1,
+                None if self.next_piece()? => continue,
+                None => (),
+            }
+            return Ok(());
+        }
+    }
+
+    /// Gets the next piece; whether there is one.
+    #[inline(never)]
+    fn next_piece(&mut self) -> io::Result<bool> {
+        self.used = 0;
+        self.input.next_piece(&mut self.piece)?;
+        Ok(!self.piece.is_empty())
+    }
+}
