@@ -16,6 +16,7 @@ mod linuxcnc;
 mod means;
 mod print;
 mod siemens;
+mod texts;
 
 pub(super) use arguments::{List, Role};
 pub(super) use means::{Address, Means, PathCode, Pattern, Plane, Smoother, Statement};
