@@ -262,6 +262,11 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
         let modes = if effect == Some(Effect::Measures) && places.iter().any(routine) { effect::MODES } else { 0 };
         line.orders.effects = bits | modes;
         line.orders.speaks = true;
+        if bits != 0 && line.orders.moves_axes() {
+            let text = "a word of the shop with an effect in a block that moves an axis: whether it acts before or after the motion \
+                        is not known, so it needs a block of its own";
+            line.lasting_fault(0, text);
+        }
         if effect == Some(Effect::ToolChange) {
             let called = line.vocabulary().effects.iter().find_map(|(key, _)| filled(key, text)).and_then(|of| of.tool);
             change_tool(called, line);
