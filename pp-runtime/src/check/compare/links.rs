@@ -1009,8 +1009,8 @@ impl Comparison<'_> {
         if retracts && !phase.is_retracted() {
             self.found(current, "program stop before the machine has retracted");
         }
-        if retracts && let Some(text) = fault_at_end(current.block) {
-            self.found(current, &text);
+        if retracts {
+            self.found_state(current, fault_at_end(current.block));
         }
         self.is_complete(phase, current);
         match self.forget(phase) {
@@ -1093,9 +1093,7 @@ impl Comparison<'_> {
         for missing in self.shop_lines.end() {
             self.found(current, &missing);
         }
-        if let Some(text) = fault_at_end(current.block) {
-            self.found(current, &text);
-        }
+        self.found_state(current, fault_at_end(current.block));
         self.is_complete(phase, current);
         self.cuts_have_ended(current);
         self.parking_positions(current);

@@ -34,7 +34,7 @@ use super::geometry::ToolPose;
 use super::policy::CheckPolicy;
 use super::read::{Action, ArcMove, Block, Length, MAX_AXES, PlacedLines, State, TipControl, WorkPlane};
 use super::report::{Shown, Tally};
-use super::rules::{ModalContext, Rules, StateFault, chord};
+use super::rules::{ModalContext, Rules, StateFault, StateItem, chord};
 use super::stream::{ExecutedBlock, Observer};
 use super::travel::{Findings, Travel};
 use crate::cl::ClEvents;
@@ -63,6 +63,7 @@ struct Comparison<'a> {
     travel: Travel,
     tally: Tally,
     previous: Previous,
+    setters: Setters,
     /// The block at hand has led the tool along the CL data.
     arrived: bool,
     /// The last block has been compared to its end: `previous` has its modes.
@@ -110,6 +111,29 @@ struct Previous {
     runs: bool,
 }
 
+/// The lines that have set parts of the state: a wrong value is reported there.
+#[derive(Debug, Default)]
+struct Setters {
+    before: State,
+    lines: [Option<(u64, Vec<u8>)>; StateItem::ALL.len()],
+}
+
+impl Setters {
+    /// Takes a block that may have set something.
+    fn follow(&mut self, block: &Block, text: &[u8]) {
+        let before = std::mem::replace(&mut self.before, block.state);
+        for item in StateItem::ALL {
+            if item.differs(&before, &block.state) {
+                self.lines[item as usize] = Some((block.line, text.to_vec()));
+            }
+        }
+    }
+
+    fn line_of(&self, item: StateItem) -> Option<&(u64, Vec<u8>)> {
+        self.lines[item as usize].as_ref()
+    }
+}
+
 /// Blocks since the last complete state began.
 #[derive(Debug, Clone, Copy, Default)]
 struct StartState {
@@ -147,6 +171,7 @@ impl<'a> Checker<'a> {
             travel,
             rules,
             previous: Previous::default(),
+            setters: Setters::default(),
             arrived: false,
             compared: false,
             start: StartState::default(),
@@ -176,6 +201,7 @@ impl<'a> Checker<'a> {
         comparison.stop_at_fault(&current);
         if !same_modes {
             comparison.right_state = None;
+            comparison.setters.follow(block, text);
         }
         comparison.block_skip(phase, &current)?;
         let is_line = !block.goes_on;
@@ -358,8 +384,12 @@ impl Comparison<'_> {
     /// Adds a finding about its modal state.
     fn found_state(&mut self, current: &Current<'_>, fault: Option<StateFault>) {
         match fault {
-            Some(StateFault { text, called: Some(at) }) => self.tally.found_once(at, current.shown, &text),
-            Some(StateFault { text, called: None }) => self.found(current, &text),
+            Some(StateFault { text, called: Some(at), .. }) => self.tally.found_once(at, current.shown, &text),
+            Some(StateFault { text, set, .. }) => {
+                let line = set.and_then(|item| self.setters.line_of(item));
+                let shown = line.map_or(current.shown, |(line, text)| Shown { line: *line, text });
+                self.tally.found(self.progress.location(), shown, &text);
+            }
             None => {}
         }
     }

@@ -18,6 +18,34 @@ pub(crate) struct StateFault {
     pub(crate) text: String,
     /// The record that calls the tool, if the tool is wrong.
     pub(crate) called: Option<Location>,
+    /// What a line of the program has set to a wrong value.
+    pub(crate) set: Option<StateItem>,
+}
+
+/// Part of the state of a control that a line sets.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum StateItem {
+    WorkOffset,
+    Length,
+    RadiusRegister,
+    Spindle,
+    Speed,
+}
+
+impl StateItem {
+    pub(crate) const ALL: [Self; 5] =
+        [Self::WorkOffset, Self::Length, Self::RadiusRegister, Self::Spindle, Self::Speed];
+
+    /// Whether two states differ in it.
+    pub(crate) fn differs(self, one: &State, other: &State) -> bool {
+        match self {
+            Self::WorkOffset => one.work_offset != other.work_offset,
+            Self::Length => one.length != other.length,
+            Self::RadiusRegister => one.diameter != other.diameter,
+            Self::Spindle => one.spindle != other.spindle,
+            Self::Speed => one.speed != other.speed,
+        }
+    }
 }
 
 /// Frame that the linear words of a block need.
@@ -58,7 +86,7 @@ impl Rules<'_> {
     }
 
     /// The same without the tool.
-    pub(crate) fn fault_in_cut(&self, block: &Block, required: &Required, context: ModalContext) -> Option<String> {
+    pub(crate) fn fault_in_cut(&self, block: &Block, required: &Required, context: ModalContext) -> Option<StateFault> {
         let (state, context) = (&block.state, ModalContext { in_thread: block.action.is_thread(), ..context });
         let offset_path = required.side != Side::None;
         let side = if offset_path && self.is_mirrored(block) { required.side.across() } else { required.side };
@@ -66,11 +94,12 @@ impl Rules<'_> {
             .or_else(|| if block.action.is_rapid() { inverse_time(state) } else { None })
             .or_else(|| self.frame(block, FrameUse::AsMeant))
             .or_else(|| self.meaning_of_operation(block, required))
+            .map(StateFault::from)
             .or_else(|| self.offsets(state, required, true))
             .or_else(|| if offset_path { self.radius_register(state, required) } else { None })
-            .or_else(|| if offset_path { self.radius_delta(state, required) } else { None })
+            .or_else(|| if offset_path { self.radius_delta(state, required).map(StateFault::from) } else { None })
             .or_else(|| in_each_order(block, |state| spindle(state, self.spindle_in_cut(required))))
-            .or_else(|| in_each_order(block, |state| coolant(state, required.coolant)))
+            .or_else(|| in_each_order(block, |state| coolant(state, required.coolant).map(StateFault::from)))
     }
 
     /// Whether the state of a cut is right or wrong whatever block has it.
@@ -95,6 +124,7 @@ impl Rules<'_> {
             .everywhere(state, Side::None, context)
             .or_else(|| inverse_time(state))
             .or_else(|| self.frame(block, frame))
+            .map(StateFault::from)
             .or_else(|| {
                 // Rotary axes rotate before the work offset is selected again that tip control may have cancelled.
                 let cancelled = self.facts.tip_control_may_cancel_offset && state.work_offset.is_none();
@@ -104,7 +134,7 @@ impl Rules<'_> {
                 }
             })
             .or_else(|| in_each_order(block, |state| spindle(state, self.spindle_in_cut(required))))
-            .or_else(|| in_each_order(block, |state| if context.dry { coolant(state, 0) } else { None }));
+            .or_else(|| in_each_order(block, |state| coolant(state, 0).filter(|_| context.dry).map(StateFault::from)));
         self.tool_first(found, state, required)
     }
 
@@ -120,11 +150,12 @@ impl Rules<'_> {
             .everywhere(state, Side::None, context)
             .or_else(|| inverse_time(state))
             .or_else(|| self.frame(block, FrameUse::AsMeant))
+            .map(StateFault::from)
             .or_else(|| required.and_then(|required| self.offsets(state, required, true)))
-            .or_else(|| in_each_order(block, |state| if context.dry { coolant(state, 0) } else { None }));
+            .or_else(|| in_each_order(block, |state| coolant(state, 0).filter(|_| context.dry).map(StateFault::from)));
         match required {
             Some(required) => self.tool_first(found, state, required),
-            None => found.map(StateFault::from),
+            None => found,
         }
     }
 
@@ -141,20 +172,24 @@ impl Rules<'_> {
         let state =
             &State { incremental: if distances { Some(false) } else { block.state.incremental }, ..block.state };
         let tip_control = (state.tip_control != TipControl::Off)
-            .then(|| "machine coordinates are programmed while tip control is on".to_owned());
+            .then(|| StateFault::from("machine coordinates are programmed while tip control is on".to_owned()));
         let coordinate = block.action == Action::Machine;
         let length = (coordinate && self.facts.length_off_at_machine_coordinates && state.length != Some(Length::Off))
-            .then(|| "machine coordinates are programmed before length compensation is switched off".to_owned());
+            .then(|| {
+                StateFault::from(
+                    "machine coordinates are programmed before length compensation is switched off".to_owned(),
+                )
+            });
         let found = self
             .everywhere(state, Side::None, context)
             .or_else(|| inverse_time(state))
+            .map(StateFault::from)
             .or(tip_control)
-            .or_else(|| moved_zero(state))
-            .or_else(|| if tilts { None } else { tilted(state) })
+            .or_else(|| moved_zero(state).or_else(|| tilted(state).filter(|_| !tilts)).map(StateFault::from))
             .or(length)
             .or_else(|| in_each_order(block, |state| spindle(state, spindle_on)))
-            .or_else(|| in_each_order(block, |state| if context.dry { coolant(state, 0) } else { None }));
-        found.map(StateFault::from)
+            .or_else(|| in_each_order(block, |state| coolant(state, 0).filter(|_| context.dry).map(StateFault::from)));
+        found
     }
 
     /// Rotary axes to their parking positions. `last`: the state of the last motion, whose work offset is in force.
@@ -170,9 +205,12 @@ impl Rules<'_> {
         let found = self
             .everywhere(state, Side::None, context)
             .or_else(|| self.frame(block, FrameUse::Without))
+            .map(StateFault::from)
             .or_else(|| last.and_then(|last| self.offsets(state, last, false)))
-            .or_else(|| in_each_order(block, |state| spindle(state, None).or_else(|| coolant(state, 0))));
-        found.map(StateFault::from)
+            .or_else(|| {
+                in_each_order(block, |state| spindle(state, None).or_else(|| coolant(state, 0).map(StateFault::from)))
+            });
+        found
     }
 
     /// Whether the spindle is in a state.
@@ -186,12 +224,12 @@ impl Rules<'_> {
     }
 
     /// A wrong tool is reported first, where the CL data calls the right one: other faults may follow from it.
-    fn tool_first(&self, found: Option<String>, state: &State, required: &Required) -> Option<StateFault> {
+    fn tool_first(&self, found: Option<StateFault>, state: &State, required: &Required) -> Option<StateFault> {
         if state.tool == required.tool {
-            return found.map(StateFault::from);
+            return found;
         }
         let text = format!("{} is in the spindle, expected {}", tool_name(state.tool), tool_name(required.tool));
-        Some(StateFault { text, called: required.called })
+        Some(StateFault { text, called: required.called, set: None })
     }
 
     /// State of every block that moves.
@@ -338,10 +376,11 @@ impl Rules<'_> {
     }
 
     /// Work offset; `length`: length compensation, too.
-    fn offsets(&self, state: &State, required: &Required, length: bool) -> Option<String> {
+    fn offsets(&self, state: &State, required: &Required, length: bool) -> Option<StateFault> {
         let offset = self.offsets.iter().find(|(set_up, _)| *set_up == required.set_up).map(|(_, offset)| *offset);
         if state.work_offset != offset {
-            return Some(format!("work offset is {}, expected {}", shown(state.work_offset), shown(offset)));
+            let text = format!("work offset is {}, expected {}", shown(state.work_offset), shown(offset));
+            return Some(StateFault::from(text).set_by(StateItem::WorkOffset, state.work_offset.is_some()));
         }
         if !length {
             return None;
@@ -352,7 +391,9 @@ impl Rules<'_> {
             (LengthMode::Tip, None) => return None,
         };
         if state.length.unwrap_or(Length::Off) != register {
-            return Some(format!("length compensation is {}, expected {register}", shown(state.length)));
+            let text = format!("length compensation is {}, expected {register}", shown(state.length));
+            let is_set = matches!(state.length, Some(Length::Register(_)));
+            return Some(StateFault::from(text).set_by(StateItem::Length, is_set));
         }
         None
     }
@@ -374,31 +415,46 @@ impl Rules<'_> {
     }
 
     /// Register of the tool radius. A cutting edge, and a row of the tool table, have the radius with the length.
-    fn radius_register(&self, state: &State, required: &Required) -> Option<String> {
+    fn radius_register(&self, state: &State, required: &Required) -> Option<StateFault> {
         (self.facts.radius_registers && state.diameter != Some(required.radius_register)).then(|| {
             let register = state.diameter.map(|register| format!("D{register}"));
-            format!("radius register is {}, expected D{}", shown(register), required.radius_register)
+            let text = format!("radius register is {}, expected D{}", shown(register), required.radius_register);
+            StateFault::from(text).set_by(StateItem::RadiusRegister, state.diameter.is_some())
         })
     }
 }
 
 impl From<String> for StateFault {
     fn from(text: String) -> Self {
-        Self { text, called: None }
+        Self { text, called: None, set: None }
+    }
+}
+
+impl From<&str> for StateFault {
+    fn from(text: &str) -> Self {
+        text.to_owned().into()
+    }
+}
+
+impl StateFault {
+    /// The fault of what a line has set, if it is a wrong value and no other state is missing.
+    fn set_by(self, item: StateItem, is_set: bool) -> Self {
+        Self { set: is_set.then_some(item), ..self }
     }
 }
 
 /// At a stop with a retract, and at the end code.
-pub(crate) fn fault_at_end(block: &Block) -> Option<String> {
-    let process = in_each_order(block, |state| spindle(state, None).or_else(|| coolant(state, 0)));
-    process.or_else(|| tilted(&block.state)).or_else(|| moved_zero(&block.state))
+pub(crate) fn fault_at_end(block: &Block) -> Option<StateFault> {
+    let process =
+        in_each_order(block, |state| spindle(state, None).or_else(|| coolant(state, 0).map(StateFault::from)));
+    process.or_else(|| tilted(&block.state).or_else(|| moved_zero(&block.state)).map(StateFault::from))
 }
 
 /// What is wrong with a state in which a block moves, whether its functions act before its motion or after it.
-fn in_each_order(block: &Block, fault: impl Fn(&State) -> Option<String>) -> Option<String> {
+fn in_each_order(block: &Block, fault: impl Fn(&State) -> Option<StateFault>) -> Option<StateFault> {
     fault(&block.state).or_else(|| {
-        let text = fault(block.early.as_deref()?)?;
-        Some(format!("{text}, where the machine executes the functions of this block after its motion"))
+        let StateFault { text, .. } = fault(block.early.as_deref()?)?;
+        Some(format!("{text}, where the machine executes the functions of this block after its motion").into())
     })
 }
 
@@ -418,17 +474,20 @@ fn inverse_time(state: &State) -> Option<String> {
     (state.feed_mode == Some(FeedMode::InverseTime)).then(|| "rapid while inverse-time feed (G93) is active".to_owned())
 }
 
-fn spindle(state: &State, required: Option<SpindleState>) -> Option<String> {
+fn spindle(state: &State, required: Option<SpindleState>) -> Option<StateFault> {
     let rotation = state.spindle.flatten();
     match required {
-        None => rotation.map(|_| "spindle is on, expected off".to_owned()),
+        None => rotation.map(|_| StateFault::from("spindle is on, expected off")),
         Some((_, sense)) if rotation != Some(sense) => Some(match rotation {
-            None => "spindle is off, expected on".to_owned(),
-            Some(_) => "spindle rotates in the wrong direction".to_owned(),
+            None => "spindle is off, expected on".into(),
+            Some(_) => StateFault::from("spindle rotates in the wrong direction").set_by(StateItem::Spindle, true),
         }),
         Some((speed, _)) => match state.speed {
             Some(written) if (written - speed).abs() <= ROUNDED_SPEED * speed => None,
-            written => Some(format!("S is {}, expected {speed}", shown(written))),
+            written => {
+                let fault = StateFault::from(format!("S is {}, expected {speed}", shown(written)));
+                Some(fault.set_by(StateItem::Speed, written.is_some()))
+            }
         },
     }
 }
