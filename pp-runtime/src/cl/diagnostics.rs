@@ -6,7 +6,7 @@
 use std::io::Read;
 
 use super::record::{if_harmless, nearest_word};
-use super::text::{ClFault, Help, Lexer, Statement};
+use super::text::{ClFault, Help, Lexer, Statement, whole_number};
 use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity};
 use crate::program::Location;
 
@@ -54,7 +54,11 @@ impl Faults {
                 Some(known) => {
                     format!("did you mean {known}? A statement of the shop gets its block in `[cl.words]`")
                 }
-                None if word.is_empty() => "check whether this file is CL data".into(),
+                None if word.is_empty() => "check whether this file is CL data: the line is no record".into(),
+                None if whole_number(word.as_bytes()).is_some() => {
+                    "numbers on a line of their own belong to the record before them, whose line ends in `$` then"
+                        .into()
+                }
                 None => if_harmless(&word),
             },
         };

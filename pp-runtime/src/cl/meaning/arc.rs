@@ -86,6 +86,8 @@ impl WaitingCircle {
             CircleForm::Six | CircleForm::Seven => Some(Sense::CounterClockwise),
             CircleForm::Eleven => Some(Sense::Clockwise),
         };
+        // The angle of MOVARC counts counter-clockwise about its axis, whatever the sense of a CIRCLE.
+        let sense = sense.filter(|_| circle.angle_deg.is_none());
         let stated = stated_sense(circle, sense)?;
         let centre = transforms.point(Point3::from(circle.centre.map(|value| value * unit_mm)));
         Ok(WaitingCircle {

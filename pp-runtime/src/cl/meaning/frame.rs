@@ -54,6 +54,15 @@ impl StatedFrame {
             && (0..3).all(|i| distance(self.axes[i], other.axes[i]) <= SAME_AXES)
     }
 
+    /// A frame whose numbers are those of a base: the same in the model.
+    pub(crate) fn stated_in(&self, base: &StatedFrame) -> StatedFrame {
+        let in_model =
+            |v: [f64; 3]| [0, 1, 2].map(|i| v[0] * base.axes[0][i] + v[1] * base.axes[1][i] + v[2] * base.axes[2][i]);
+        let shift = in_model(self.origin);
+        let origin = [0, 1, 2].map(|i| base.origin[i] + shift[i]);
+        StatedFrame { origin, axes: self.axes.map(in_model), ..*self }
+    }
+
     /// Its Z in the coordinates of another frame.
     fn z_in(&self, other: &StatedFrame) -> [f64; 3] {
         other.axes.map(|axis| dot(axis, self.axes[2]))

@@ -117,7 +117,9 @@ impl HoleDefinition {
                     format!(
                         "the tool is below the clearance plane of this cycle, {plane_mm} along its axis, before it"
                     ),
-                    "the post of Autodesk moves there first: does `dialect = \"autodesk\"` hold for this file?",
+                    format!(
+                        "write a GOTO at or above that plane before the cycle, as the post of Autodesk does; {OF_ANOTHER_POST}"
+                    ),
                 ));
             }
             CyclePoints::Bottoms { feed_begins_below_mm } => (to_plane_mm - feed_begins_below_mm, to_plane_mm),
@@ -128,7 +130,10 @@ impl HoleDefinition {
                         "this point is not the top of its hole: {level} above it is {} along the tool axis, and CLEAR is {plane_mm}",
                         along(tip) + level
                     ),
-                    "does `dialect = \"autodesk\"` hold for this file? In its CAMplete post CLEAR is RETURN above the point",
+                    format!(
+                        "in \"CAMplete APT\" of Autodesk CLEAR is RETURN above the point: correct the one that is wrong; \
+                         {OF_ANOTHER_POST}"
+                    ),
                 ));
             }
             CyclePoints::Tops { feed_begins_mm, return_mm } => {
@@ -141,7 +146,9 @@ impl HoleDefinition {
                 format!(
                     "the feed of this hole begins {clearance_mm:.4} mm above its top, below it or above the clearance plane"
                 ),
-                "the tool would plunge into the part at rapid: does `dialect = \"autodesk\"` hold for this file?",
+                format!(
+                    "the tool would plunge into the part at rapid: correct the clearance plane or RAPTO; {OF_ANOTHER_POST}"
+                ),
             ));
         }
         let return_level = ReturnLevel::Level(return_mm);
@@ -160,9 +167,13 @@ pub(crate) struct CycleContext {
     pub(crate) feed: Option<Feed>,
 }
 
-fn fault(at: Span, text: impl Into<String>, help: &str) -> ClFault {
+fn fault(at: Span, text: impl Into<String>, help: impl Into<String>) -> ClFault {
     ClFault::new("CYCLE", at, text, help)
 }
+
+/// Remedy where a cycle is not as the posts of Autodesk write it.
+pub(crate) const OF_ANOTHER_POST: &str = "if another post wrote the file, add `--dialect iso`, and name numbers without a word in \
+                                          `[cl.cycle.DRILL]`, `args`";
 
 /// Numbers without a word of *Common ISO 4343 APT*.
 const OF_AUTODESK: [CycleArg; 2] = [CycleArg::Depth, CycleArg::Clearance];
@@ -218,7 +229,9 @@ fn without_words(cycle: &CycleCall, dialect: Dialect) -> ClFault {
         _ => "\"depth\", \"clearance\", ..",
     };
     let post = if usize::from(cycle.positionals) == OF_AUTODESK.len() && dialect == Dialect::Generic {
-        "if \"Common ISO 4343 APT\" of Autodesk wrote it, add `--dialect autodesk`; else "
+        "if \"Common ISO 4343 APT\" of Autodesk wrote it, add `--dialect autodesk`; else add `--dialect iso` and "
+    } else if dialect == Dialect::Generic {
+        "add `--dialect iso` and "
     } else {
         ""
     };
@@ -284,7 +297,7 @@ fn plane_above_bottoms(cycle: &CycleCall, unit_mm: f64) -> Result<ClearanceAt, C
         return Err(fault(
             cycle.at,
             "this cycle has a return level or a negative RAPTO, which the post of Autodesk does not write",
-            "does `dialect = \"autodesk\"` hold for this file?",
+            format!("delete the return level, and the sign of RAPTO; {OF_ANOTHER_POST}"),
         ));
     }
     let points = CyclePoints::Bottoms { feed_begins_below_mm: cycle.rapto.unwrap_or(0.0) * unit_mm };

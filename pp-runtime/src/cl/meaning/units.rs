@@ -66,7 +66,7 @@ impl FileUnits {
         self.found = Some((units, here));
         if self.given.is_some_and(|given| given != units) {
             let text = "the unit of the file contradicts `--units` or `cl_units`".to_string();
-            return fault(text, "leave these out if the file is right");
+            return fault(text, "if the file is right, leave `--units` and `cl_units` out; if not, delete this record");
         }
         Ok(())
     }

@@ -91,8 +91,8 @@ fn inert_unless_many_numbers<'a>(text: &[u8], word_at: Span) -> Result<Record<'a
         format!(
             "{word} has six or more numbers: it may be a frame or a point, so it is not passed over, though it is inert"
         ),
-        "a frame of the points after it is read as MSYS/x,y,z,i,j,k,i,j,k (origin, X, Y), a point as GOTO; if it has no effect, \
-         delete this statement",
+        "for a frame of the points after it, as the frame of the part has it, write MCSYS/NUM,1,POINT,x,y,z,VECTOR,i,j,k,VECTOR,i,j,k \
+         (origin, X, Y) and add `--frames main`; for a point write GOTO; if it has no effect, delete this statement",
     ))
 }
 
@@ -244,7 +244,10 @@ fn own_statement<'a>(text: &'a [u8], word_at: Span, given: GivenMeanings<'_>) ->
         "statement of the shop",
         whole,
         format!("{} is not one of the statements in `[cl.words]`", quoted(text)),
-        format!("of this word it has {}", known.join(", ")),
+        format!(
+            "correct the statement, of this word the table has {}; or state its block there, too",
+            known.join(", ")
+        ),
     )))
 }
 

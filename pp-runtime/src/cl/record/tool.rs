@@ -182,12 +182,7 @@ fn skip_quoted(first: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
     while !ends {
         let Some(place) = args.next_place() else {
             let text = "the quote that begins here does not end";
-            return Err(ClFault::new(
-                "quote",
-                first.at,
-                text,
-                "write a `'` after the text, or delete the one before it",
-            ));
+            return Err(ClFault::new("quote", first.at, text, "write a `'` after the text, or delete the text"));
         };
         ends = place.is_some_and(|arg| arg.text.ends_with(b"'"));
     }

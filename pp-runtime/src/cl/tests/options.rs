@@ -52,7 +52,10 @@ fn a_statement_of_the_shop_is_its_block_in_any_case_and_with_any_blanks() {
     for text in ["CHUCK/OPN", "CHUCK", "CHUCK/OPEN,1"] {
         let read = read_from(format!("{text}\nGOTO/0,0,0\n").as_bytes(), own("CHUCK/OPEN", "M68"));
         assert!(read.diagnostics[0].text.contains("is not one of the statements in `[cl.words]`"), "{text}");
-        assert_eq!(read.diagnostics[0].help.as_deref(), Some("of this word it has CHUCK/OPEN"));
+        assert_eq!(
+            read.diagnostics[0].help.as_deref(),
+            Some("correct the statement, of this word the table has CHUCK/OPEN; or state its block there, too")
+        );
         let inert = ReadingOptions { inert: vec!["CHUCK".to_owned()], ..own("CHUCK/OPEN", "M68") };
         assert_eq!(events_without_places(&format!("{text}\nGOTO/0,0,0\n"), inert).len(), 1, "{text}");
     }

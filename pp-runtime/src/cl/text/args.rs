@@ -97,9 +97,13 @@ pub(crate) struct MajorWord {
 
 impl MajorWord {
     /// Help for a message: the forms that are read.
-    fn help(&self) -> Option<String> {
+    fn help(&self) -> String {
         let Self { name, forms } = self;
-        forms.starts_with(['/', '[']).then(|| format!("accepted: {name}{forms}"))
+        if forms.trim_start().starts_with(['/', '[']) {
+            format!("accepted: {name}{forms}")
+        } else {
+            format!("write {name} alone: it has no arguments")
+        }
     }
 }
 
@@ -170,12 +174,7 @@ impl<'a> Args<'a> {
     pub(crate) fn needed(&mut self) -> Result<Arg<'a>, ClFault> {
         let name = self.name();
         self.next()?.ok_or_else(|| {
-            ClFault::new(
-                "argument missing",
-                self.all(),
-                format!("an argument of {name} is missing"),
-                self.word.help().unwrap_or_else(|| format!("write {name} with all its arguments")),
-            )
+            ClFault::new("argument missing", self.all(), format!("an argument of {name} is missing"), self.word.help())
         })
     }
 
@@ -232,7 +231,7 @@ impl<'a> Args<'a> {
             self.name(),
             arg.at,
             format!("{} with {} is not supported", self.name(), quoted(arg.text)),
-            self.word.help().unwrap_or_else(|| "check the spelling; `explain --cl` lists the accepted forms".into()),
+            self.word.help(),
         )
     }
 

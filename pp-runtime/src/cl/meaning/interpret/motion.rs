@@ -6,7 +6,7 @@ use crate::cl::meaning::arc::{WaitingCircle, arc_of, is_on, tangent_circle, tlon
 use crate::cl::meaning::axis::Normalised;
 use crate::cl::meaning::event_queue::QueuedEvent;
 use crate::cl::meaning::feed::feed_of;
-use crate::cl::meaning::holes::{self, CycleContext, HoleDefinition};
+use crate::cl::meaning::holes::{self, CycleContext, HoleDefinition, OF_ANOTHER_POST};
 use crate::cl::record::{
     ArcRecord, CircleForm, CircleRecord, CycleCall, CycleRecord, FeedRecord, MotionRecord, Numbers, NurbsRecord, Point,
     TangentArc,
@@ -493,7 +493,9 @@ impl RecordInterpreter {
                 "CYCLE",
                 at,
                 "the levels of this cycle are coordinates along the tool axis, and the coordinates are transformed",
-                "does `dialect = \"autodesk\"` hold for this file? Its post writes no ORIGIN, TRANS or TRACUT",
+                format!(
+                    "the post of Autodesk writes no ORIGIN, TRANS or TRACUT: delete the one before this cycle; {OF_ANOTHER_POST}"
+                ),
             ));
         }
         let (top, cycle) = cycle.at(top, self.cycle.before(), at)?;

@@ -86,9 +86,10 @@ impl RecordInterpreter {
 
     /// MSYS, Creo's CSYS comment, CATIA's matrix, MCS, MCSYS.
     fn take_frame(&mut self, record: &FrameRecord, here: Location) -> Result<(), ClFault> {
-        let frame = self.stated_frame(record, here)?;
+        let mut frame = self.stated_frame(record, here)?;
         if record.base != FrameBase::Model {
             self.begin_with_workpiece_frame(record, &frame, here)?;
+            frame = self.coordinates.workpiece().frame().map_or(frame, |workpiece| frame.stated_in(workpiece));
         }
         match self.enter_frame(frame, record.at)? {
             FrameChange::None => {}
@@ -221,7 +222,8 @@ impl RecordInterpreter {
 
     fn call_tool(&mut self, call: &ToolCallRecord, here: Location) -> Result<(), ClFault> {
         let tool = &tool_numbers::with_names(call, &self.options, self.dialect())?;
-        if call.length.is_some() && tool.length.is_none() {
+        let is_given = || self.options.tools.get(&tool.number).is_some_and(|given| given.length_mm.is_some());
+        if call.length.is_some() && tool.length.is_none() && !is_given() {
             self.events.warn(ClFault::new(
                 "length of the body",
                 Span::WHOLE,
@@ -229,7 +231,7 @@ impl RecordInterpreter {
                     "LENGTH of a LOADTL with IN is the length of the body of tool {}, not its gauge length",
                     tool.number
                 ),
-                "it is not used: where the machine needs the gauge length, state it in `[tools.N]`, `length`",
+                "nothing needs to be done unless the machine needs the gauge length: then state it in `[tools.N]`, `length`",
             ));
         }
         let length = match tool.length {
@@ -266,7 +268,8 @@ impl RecordInterpreter {
                         "coolant is switched on without its pressure, {}, which has a code for THRU only",
                         pressure.word()
                     ),
-                    "where the machine has another code, `[control] coolant` sets it for all coolant of this kind",
+                    "nothing needs to be done if the machine has one pressure; `[control] coolant` sets another code, for all coolant \
+                     of this kind",
                 ));
                 self.emit(here, Event::Function(MachineFunction::Coolant(kind)));
             }
