@@ -34,9 +34,15 @@ pub(crate) enum Kind {
     Remark,
     /// Lines of its summary.
     Summary,
+    /// Hints of its messages.
+    Help,
+    /// What a user does who follows a hint.
+    Follow,
+    /// What the job means, in plain words.
+    Means,
 }
 
-const KINDS: [(&str, Kind); 11] = [
+const KINDS: [(&str, Kind); 14] = [
     ("cl", Kind::Cl),
     ("toml", Kind::Toml),
     ("nc", Kind::Nc),
@@ -48,10 +54,13 @@ const KINDS: [(&str, Kind); 11] = [
     ("error", Kind::Error),
     ("remark", Kind::Remark),
     ("summary", Kind::Summary),
+    ("help", Kind::Help),
+    ("follow", Kind::Follow),
+    ("means", Kind::Means),
 ];
 
 /// Words that change what a block is for.
-const FLAGS: [&str; 6] = ["alone", "check", "each", "edit", "only", "passes"];
+const FLAGS: [&str; 10] = ["alone", "also", "check", "cl", "each", "edit", "only", "options", "passes", "toml"];
 
 pub(crate) const MACHINES: [&str; 4] = ["spinner-u5-620", "dmu-70e", "lola-xoyzba", "multiprodesk"];
 
@@ -78,6 +87,11 @@ impl Block {
     /// Whether the check is tried with another program or other input.
     pub(crate) fn is_try(&self) -> bool {
         matches!(self.kind, Kind::Edit | Kind::Lost) || self.is("check")
+    }
+
+    /// The block as one of another kind: `follow cl edit` as `cl edit`.
+    pub(crate) fn as_kind(&self, kind: Kind) -> Self {
+        Self { kind, ..self.clone() }
     }
 
     pub(crate) fn is(&self, word: &str) -> bool {
@@ -144,6 +158,8 @@ pub(crate) struct Settings {
     pub(crate) operations: Option<(u64, u64)>,
     /// Lift of a dry run, mm.
     pub(crate) lift_mm: Option<f64>,
+    /// Options of the command line, where a hint is followed.
+    pub(crate) options: Vec<String>,
 }
 
 /// A case with the blocks of the head of its file.
@@ -286,6 +302,7 @@ fn set(settings: &mut Settings, key: &str, values: &str) -> Option<()> {
             let (first, last) = values.split_once(" to ").unwrap_or((values, values));
             settings.operations = Some((first.parse().ok()?, last.parse().ok()?));
         }
+        "options" => settings.options = values.split_whitespace().map(str::to_owned).collect(),
         "dry run lifted by" => settings.lift_mm = Some(values.strip_suffix(" mm")?.parse().ok()?),
         _ => return None,
     }

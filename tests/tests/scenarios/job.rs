@@ -1,10 +1,12 @@
 //! CL data and configuration of a run, posted and checked.
 
 use std::collections::BTreeMap;
+use std::ffi::OsString;
 use std::io::Cursor;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::check::check;
+use pp_runtime::cli::{Status, Streams, run_with};
 use pp_runtime::config::{Config, Operations, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::Diagnostic;
@@ -103,7 +105,26 @@ impl<'s> Job<'s> {
             }
         }
         keys.extend(run.mode.clone().map(|mode| ("mode".to_owned(), Value::String(mode))));
-        Self { run, settings, cl: cl.join("\n") + "\n", keys: keys.to_string() }
+        // CL data without lines is an empty file.
+        let end = if cl.is_empty() { "" } else { "\n" };
+        Self { run, settings, cl: cl.join("\n") + end, keys: keys.to_string() }
+    }
+
+    /// The texts of its files: CL data and configuration.
+    pub(crate) fn files(&self) -> [(&'static str, &str); 2] {
+        [("part.cls", &self.cl), ("job.toml", &self.keys)]
+    }
+
+    /// Runs a command of the machine in this process: whether it was done, and its messages.
+    pub(crate) fn run(&self, args: &[OsString]) -> (bool, String) {
+        with_machine!(self.command(args))
+    }
+
+    fn command<M: Machine>(&self, args: &[OsString]) -> (bool, String) {
+        let (mut output, mut errors) = (Vec::new(), Vec::new());
+        let streams = Streams { input: &mut &b""[..], output: &mut output, errors: &mut errors, terminal: false };
+        let done = run_with::<M>(args, streams) == Status::Done;
+        (done, String::from_utf8(errors).expect("text"))
     }
 
     pub(crate) fn control(&self) -> &'static dyn Control {

@@ -4,8 +4,10 @@
 //! `PP_BLESS=1` rewrites expected blocks and findings: read every changed line before it is committed.
 
 mod format;
+mod hints;
 mod job;
 mod program;
+mod remedies;
 mod run;
 
 use std::collections::BTreeMap;
@@ -22,8 +24,8 @@ use format::Case;
 use run::Failure;
 use tests::binaries::workspace;
 
-#[test]
-fn every_scenario_holds() {
+/// The cases of all files.
+fn cases() -> Vec<Case> {
     let folder = workspace().join("tests/scenarios");
     let entries = fs::read_dir(&folder).expect("the scenarios").map(|entry| entry.expect("a file").path());
     let mut files: Vec<_> = entries
@@ -33,9 +35,14 @@ fn every_scenario_holds() {
     let (cases, faults): (Vec<_>, Vec<_>) = files.iter().map(|path| format::read(path)).partition(Result::is_ok);
     let faults: Vec<String> = faults.into_iter().filter_map(Result::err).collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+    cases.into_iter().flatten().flatten().collect()
+}
+
+#[test]
+fn every_scenario_holds() {
     let wanted = env::var("PP_SCENARIO").unwrap_or_default().to_lowercase();
     let chosen = |case: &Case| wanted.split_whitespace().all(|word| case.title().to_lowercase().contains(word));
-    let cases: Vec<Case> = cases.into_iter().flatten().flatten().filter(chosen).collect();
+    let cases: Vec<Case> = cases().into_iter().filter(chosen).collect();
     assert!(!cases.is_empty(), "no heading has the words `{wanted}`");
     let failures = all(&cases, !wanted.is_empty());
     if env::var_os("PP_BLESS").is_some_and(|value| value == "1") {
@@ -93,4 +100,11 @@ fn bless(failures: &[Failure]) {
         "these cannot be rewritten, or not to the same lines for all runs:\n\n{}",
         left.join("\n")
     );
+}
+
+/// Every hint of the sources has a case that follows it.
+#[test]
+fn every_remedy_is_followed() {
+    let missing = remedies::without_case(&cases());
+    assert!(missing.is_empty(), "{} hints:\n{}", missing.len(), missing.join("\n"));
 }

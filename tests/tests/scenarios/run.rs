@@ -8,6 +8,7 @@ use tests::posting::renumbered;
 use crate::format::{Block, Case, Kind, Run};
 use crate::job::{Chosen, Job, Message};
 use crate::program::{self, contains, edited, edits};
+use crate::remedies;
 
 /// What is not as a block expects it.
 #[derive(Debug)]
@@ -78,6 +79,10 @@ fn compare(case: &Case, run: &Run, blocks: &[Block], chosen: &Chosen, shows: boo
     let choice = chosen.values().map(|lines| format!(", {}", lines.join(" | "))).collect::<String>();
     let name = format!("{} {} {}{choice}", run.machine, run.control, run.mode.as_deref().unwrap_or_default());
     let failure = |line: usize, text: &str, blessed| Failure::new(case, line, &name, text, blessed);
+    if blocks.iter().any(|block| block.kind == Kind::Help) {
+        let failures = remedies::failures(case, run, blocks, shows);
+        return failures.into_iter().map(|(line, text, blessed)| failure(line, &text, blessed)).collect();
+    }
     let job = Job::of(run, &case.settings, blocks, chosen, None);
     let of_error = blocks.iter().filter(|block| block.kind == Kind::Error);
     let posted = match job.posted() {
@@ -138,6 +143,8 @@ fn compare(case: &Case, run: &Run, blocks: &[Block], chosen: &Chosen, shows: boo
                     }
                 }
             }
+            // A case with a hint is compared by `remedies`.
+            Kind::Help | Kind::Follow | Kind::Means => {}
             Kind::Cl | Kind::Toml if !block.is("check") => {}
             Kind::Cl | Kind::Toml => {
                 let other = Job::of(run, &case.settings, blocks, chosen, Some(block));
