@@ -404,9 +404,9 @@ fn all_required_dimensions_that_are_missing_are_named_at_once() {
 #[test]
 fn the_effects_of_lines_have_the_same_names_in_a_configuration_and_in_the_check() {
     for (name, effect) in crate::check::read::Effect::NAMES {
-        let config = read(&format!("[control.effects]\n\"M77 T{{tool}}\" = \"{name}\"\n"));
+        let config = read(&format!("[control.effects]\n\"G65 P9001 T{{tool}}\" = \"{name}\"\n"));
         let policy = config.check_policy::<Sample>(&LinuxCnc, None).expect("it fits");
-        assert_eq!(policy.shop.effects, [("M77 T{tool}".to_owned(), effect)]);
+        assert_eq!(policy.shop.effects, [("G65 P9001 T{tool}".to_owned(), effect)]);
     }
 }
 

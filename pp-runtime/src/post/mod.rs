@@ -118,7 +118,7 @@ pub struct Report {
     pub rotary_end: Vec<(char, f64)>,
     /// Assumptions: settings that were not given, one sentence each.
     pub assumptions: Vec<String>,
-    /// Linear axes whose limits were not checked, with the reason; empty if all were.
+    /// Linear axes whose limits were not checked, and a retract whose way was not compared, with the reason; empty if all were.
     pub unchecked: Vec<String>,
     /// Tool numbers in ascending order.
     pub tools: Vec<u32>,
@@ -541,6 +541,9 @@ impl PlanningPass<'_> {
         report.times = planner.times().clone();
         report.threads = threads_text(planner.threads(), units);
         report.unchecked = header::unchecked_limits(&planner.unchecked_axes());
+        report.unchecked.extend(planner.blind_retract().map(|axis| {
+            format!("machine retract: whether it leads away from the part is not compared: no machine_zero ({axis})")
+        }));
         match planned {
             Ok(()) => report.rotary_end = planner.rotary_angles(),
             Err(PlanningError::Output(error)) => return Err(PostError::Output(error)),

@@ -330,6 +330,8 @@ impl Comparison<'_> {
         self.is_complete(phase, current);
         let at_part = phase.is_at_part();
         if at_part {
+            let fault = machine_move::leads_down(&self.rules, &self.previous, block);
+            self.found_any(current, fault);
             self.missing_dwells(current, false);
         }
         if self.start.restarted {

@@ -42,6 +42,24 @@ pub(super) fn fault_of_retract(rules: &Rules<'_>, previous: &Previous, block: &B
     }
 }
 
+/// What is wrong with the way of the machine retract: it must lead away from the part. Where `machine_zero` or the length of
+/// the tool is unknown, it is not compared.
+pub(super) fn leads_down(rules: &Rules<'_>, previous: &Previous, block: &Block) -> Option<String> {
+    let (words, policy) = (rules.words(), rules.policy());
+    let index = words.retract();
+    let axis = &rules.axes()[index];
+    let zero = policy.set_up.machine_zero.get(&axis.letter).filter(|_| words.is_length_known())?;
+    let by_word = || previous.value_of_retract_axis(rules, &block.state, previous.known & block.known_before);
+    let coordinate = previous.retract_axis.or_else(by_word)? + zero + words.gauge_of(index);
+    let down = (coordinate - policy.links.retract_mm) * words.outwards();
+    (down > rules.rounding().unit_mm).then(|| {
+        format!(
+            "the machine retract leads {down:.3} mm towards the part: {} is at machine coordinate {coordinate:.3} mm before it",
+            axis.letter
+        )
+    })
+}
+
 /// Linear axes other than the retract axis, by position in the chain.
 fn others<'a>(rules: &'a Rules<'_>) -> impl Iterator<Item = (usize, &'a Axis)> {
     let retract = rules.words().retract();

@@ -100,6 +100,8 @@ struct Previous {
     at_part: bool,
     /// Axes whose words have had the same meaning since: bits.
     same_meaning: u16,
+    /// Value of the retract axis where its word has lost its meaning since.
+    retract_axis: Option<f64>,
     /// Chords of the arcs by their angle since the words gave the position in their plane, in diameters.
     chords: f64,
     /// Plane of the last arc of the operation.
@@ -154,6 +156,23 @@ struct Current<'b> {
     same_modes: bool,
 }
 
+impl Previous {
+    /// Keeps the place of the retract axis where another frame begins.
+    fn follow_frame(&mut self, rules: &Rules<'_>, before: &State, now: &State) {
+        if before.frame() != now.frame() {
+            self.retract_axis = self.retract_axis.or_else(|| self.value_of_retract_axis(rules, before, self.known));
+        }
+    }
+
+    /// Value of the retract axis by its word in a state; `None` where it is unknown.
+    fn value_of_retract_axis(&self, rules: &Rules<'_>, state: &State, known: u16) -> Option<f64> {
+        let (words, index) = (rules.words(), rules.words().retract());
+        let needed = if state.has_frame() { words.linear_bits() | words.rotary_bits() } else { 1 << index };
+        let is_known = known & needed == needed;
+        Some(words.axes(&self.words, state).filter(|_| is_known)?[index])
+    }
+}
+
 impl<'a> Checker<'a> {
     pub(super) fn new(
         machine: Box<dyn AnyMachine>,
@@ -201,6 +220,7 @@ impl<'a> Checker<'a> {
         comparison.stop_at_fault(&current);
         if !same_modes {
             comparison.right_state = None;
+            comparison.previous.follow_frame(&comparison.rules, &comparison.setters.before, &block.state);
             comparison.setters.follow(block, text);
         }
         comparison.block_skip(phase, &current)?;
@@ -340,6 +360,9 @@ impl Comparison<'_> {
             self.travel.block(&self.rules, before, block, findings);
         }
         self.previous.words = block.values;
+        if (block.known | block.written) & (1 << self.rules.words().retract()) != 0 {
+            self.previous.retract_axis = None;
+        }
         self.previous.at_part = std::mem::take(&mut self.arrived) && !block.state.has_frame();
         (self.previous.known, self.previous.same_meaning) = (block.known, block.known);
         Ok(())

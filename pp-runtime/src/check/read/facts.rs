@@ -155,6 +155,8 @@ pub(crate) struct Facts {
     pub(crate) functions: Order,
     /// Motion codes stay in force.
     pub(crate) motion_modal: bool,
+    /// A setting decides whether the block that begins a canned cycle makes a hole without a word of its position.
+    pub(crate) cycle_needs_position: bool,
     /// Length that guards read.
     pub(crate) guard_source: GuardSource,
     /// The largest deviation of blended blocks is programmed (G64 P).
@@ -218,6 +220,7 @@ const ISO: Facts = Facts {
     frames_are_options: true,
     functions: Order::Either,
     motion_modal: true,
+    cycle_needs_position: false,
     guard_source: GuardSource::Registers { largest: 999 },
     path_tolerance: false,
     smoothing: SmoothingWords { tolerance: false, levels: [None; 3] },
@@ -284,6 +287,8 @@ impl Family {
             Self::Haas => Facts {
                 one_m_code: true,
                 feed_needs_point: true,
+                // Setting 28, canned cycle without X and Y: mill manual NGC (2017), settings.
+                cycle_needs_position: true,
                 // Autodesk's public posts for Haas: 9999.99.
                 largest_inverse_time_hundredths: Some(999_999),
                 guard_source: GuardSource::Registers { largest: 200 },

@@ -224,6 +224,11 @@ impl Words {
         self.gauge_length_mm * self.gauge_share[index] + self.moved_mm[index]
     }
 
+    /// Whether the tool in the spindle has a known length.
+    pub(crate) fn is_length_known(&self) -> bool {
+        self.gauge_length_mm > 0.0
+    }
+
     /// Tip and tool axis on the workpiece.
     pub(crate) fn place(&self, words: &[f64; MAX_AXES], state: &State) -> ToolPose {
         if state.has_frame() { self.place_in_frame(words, state) } else { self.chain.place(&self.values(words)) }

@@ -168,3 +168,30 @@ fn a_program_is_posted_so_that_no_rapid_may_get_into_the_geometry() {
         }
     }
 }
+
+#[test]
+fn the_machine_retract_leads_away_from_the_part() {
+    let data = "UNITS/MM\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,0,50\nGOTO/0,0,0\nGOTO/20,0,350\n\
+                GOTO/20,0,350,0.6,0,0.8\nRAPID\nGOTO/20,0,350\nFINI\n";
+    let set_up = |zero: f64| {
+        format!(
+            "retract.distance = 20\ntcp_frame = \"table_at_zero\"\ntools = {{ 1 = {{ length = 100 }} }}\nmachine_zero = {{ Z = {zero:?} }}\n"
+        )
+    };
+    for (control, mode) in [
+        ("fanuc", Mode::Axes),
+        ("linuxcnc", Mode::Axes),
+        ("haas", Mode::Tcp),
+        ("siemens", Mode::Tcp),
+        ("heidenhain", Mode::Tcp),
+        ("heidenhain", Mode::Axes),
+    ] {
+        let program = posted_right::<Tables>(control, mode, &set_up(-600.0), data);
+        let refused = posted::<Tables>(control, mode, &set_up(-250.0), data).expect_err("it would come down");
+        let text = "mm above the retract position Z = 0 mm (machine coordinate)";
+        assert!(refused.iter().any(|fault| fault.text.contains(text)), "{control}: {refused:?}");
+        let found = again::<Tables>(control, mode, &set_up(-250.0), data, &program);
+        let text = "mm towards the part: Z is at machine coordinate";
+        assert!(found.iter().any(|found| found.contains(text)), "{control}: {found:?}\n{program}");
+    }
+}

@@ -256,6 +256,12 @@ impl Placer {
         self.travel.axes().iter().filter_map(|axis| axis.unchecked_reason().map(|why| (axis.letter(), why))).collect()
     }
 
+    /// Letter of the retract axis where its machine coordinates are unknown, so that the way of a retract is not compared.
+    pub(crate) fn blind_retract(&self) -> Option<char> {
+        let axis = self.travel.axes().iter().find(|axis| axis.index == self.retract_axis())?;
+        (!axis.has_machine_zero()).then(|| axis.letter())
+    }
+
     /// Tool axis in the workpiece frame at these rotary words.
     pub(crate) fn axis_at(&self, words: &RotaryWords) -> UnitVector3<f64> {
         self.machine.forward_kinematics(&self.position_at_words(words).axes).axis

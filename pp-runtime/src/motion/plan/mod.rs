@@ -225,6 +225,13 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.mover.placer().unchecked_axes()
     }
 
+    /// Letter of the retract axis where its machine coordinates are unknown: whether a retract leads away from the part is not
+    /// compared.
+    #[must_use]
+    pub fn blind_retract(&self) -> Option<char> {
+        self.mover.placer().blind_retract().filter(|_| !self.abilities.retracts_along_tool)
+    }
+
     /// Angles of the rotary axes as the control displays them, degrees. An axis whose angle is unknown is left out: one that
     /// the program has not positioned since its beginning or a stop.
     #[must_use]

@@ -54,6 +54,15 @@ impl Interpreter {
     /// The hole of the canned cycle, where the axes are; the word along the normal is its bottom.
     pub(super) fn canned_hole(&mut self, words: &AxisWords, faults: &mut Vec<Fault>) -> Action {
         let unit = self.unit();
+        let begins = self.motion.canned.is_some_and(|canned| canned.bottom.is_none());
+        let across = words.written & !self.axes.rotary & !self.normal().map_or(0, |normal| 1 << normal);
+        if self.facts.cycle_needs_position && begins && across == 0 {
+            fault(
+                faults,
+                0,
+                "a cycle that begins without X and Y: whether it makes a hole here depends on setting 28 of the control",
+            );
+        }
         if let Some(normal) = self.normal().filter(|normal| words.written & (1 << normal) != 0)
             && let Some(mut canned) = self.motion.canned
         {

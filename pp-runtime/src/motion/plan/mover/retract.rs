@@ -40,6 +40,10 @@ impl<S: Sink> Mover<'_, S> {
             );
             return Err(fault.help("set `retract.method` to a retract in machine coordinates").into());
         }
+        // Away from the part, too, its place is known until something else may have moved it, as the rotary axes.
+        if self.position.knows_rotary_axes() {
+            self.check_below_retract(self.position.place(), "the tool")?;
+        }
         let words = self.placer.retract_words(self.policy.options.retract.position_mm())?;
         let off = match (self.placer.mode(), self.abilities.plane) {
             _ if !self.position.is_in_frame() => None,
@@ -84,7 +88,7 @@ impl<S: Sink> Mover<'_, S> {
     /// Moves from the machine retract to the approach point: unclamp, the rotary axes alone, tip control or tilted plane,
     /// clamp, the other linear axes, the retract axis. The caller sets the position.
     pub(crate) fn approach_from_retract(&mut self, above: &AxisPosition, frame: Option<Step<'static>>) -> Planned {
-        self.check_below_retract(above)?;
+        self.check_below_retract(above, "the approach point")?;
         let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
         let entry = match self.placer.mode() {
             StretchMode::Tcp => self.placer.tip_entry(above, self.abilities.tip, self.abilities.plane)?,
@@ -156,13 +160,14 @@ impl<S: Sink> Mover<'_, S> {
         Ok(())
     }
 
-    fn check_below_retract(&self, above: &AxisPosition) -> Result<(), Fault> {
+    /// Whether the way between a place and the retract position leads away from the part, as far as `machine_zero` is known.
+    fn check_below_retract(&self, place: &AxisPosition, what: &str) -> Result<(), Fault> {
         let retract = self.policy.options.retract.position_mm();
-        match self.placer.below_retract(above, retract) {
+        match self.placer.below_retract(place, retract) {
             Some(below) if below < -self.placer.unit_mm() => {
                 let axis = self.placer.chain()[self.placer.retract_axis()].letter;
                 Err(Fault::new(format_args!(
-                    "the approach point is {:.3} mm above the retract position {axis} = {retract} mm (machine coordinate)",
+                    "{what} is {:.3} mm above the retract position {axis} = {retract} mm (machine coordinate)",
                     -below
                 ))
                 .help("mount the part lower, reduce `approach.distance`, or raise `retract.position`"))
