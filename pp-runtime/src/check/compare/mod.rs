@@ -157,9 +157,10 @@ struct Current<'b> {
 }
 
 impl Previous {
-    /// Keeps the place of the retract axis where another frame begins.
-    fn follow_frame(&mut self, rules: &Rules<'_>, before: &State, now: &State) {
-        if before.frame() != now.frame() {
+    /// Keeps the place of the retract axis where its word loses its meaning: another frame begins, or another length.
+    fn follow_frame(&mut self, rules: &Rules<'_>, before: &State, block: &Block) {
+        let lost = self.known & !block.known_before & (1 << rules.words().retract()) != 0;
+        if lost || before.frame() != block.state.frame() {
             self.retract_axis = self.retract_axis.or_else(|| self.value_of_retract_axis(rules, before, self.known));
         }
     }
@@ -220,7 +221,7 @@ impl<'a> Checker<'a> {
         comparison.stop_at_fault(&current);
         if !same_modes {
             comparison.right_state = None;
-            comparison.previous.follow_frame(&comparison.rules, &comparison.setters.before, &block.state);
+            comparison.previous.follow_frame(&comparison.rules, &comparison.setters.before, block);
             comparison.setters.follow(block, text);
         }
         comparison.block_skip(phase, &current)?;

@@ -1,4 +1,5 @@
-//! Lines of a program, read piece by piece. From the first statement on that may lead back to a line they are kept.
+//! Lines of a program, read piece by piece. From the first statement on that may lead back to a line they are kept, as many as
+//! a long loop has.
 
 use std::io;
 
@@ -7,6 +8,12 @@ use super::text::GOES_ON;
 
 /// A line longer than this is no line of a program, bytes.
 pub(super) const LONGEST: usize = 1 << 16;
+
+/// Text that is kept for a jump back where no loop, condition or call is open, bytes.
+const FARTHEST_BACK: usize = 8 << 20;
+
+/// Text that is kept for a loop, a condition or a subprogram, bytes.
+const LONGEST_BODY: usize = 64 << 20;
 
 /// What is known of a line besides its text.
 #[derive(Debug, Clone, Copy, Default)]
@@ -38,6 +45,8 @@ pub(super) struct Lines<P> {
     kept: Vec<(Vec<u8>, LineKind)>,
     next: usize,
     keeps: bool,
+    /// What the kept lines take, bytes.
+    kept_bytes: usize,
 }
 
 impl<P: Pieces> Lines<P> {
@@ -52,6 +61,7 @@ impl<P: Pieces> Lines<P> {
             kept: Vec::new(),
             next: 0,
             keeps: false,
+            kept_bytes: 0,
         }
     }
 
@@ -69,7 +79,7 @@ impl<P: Pieces> Lines<P> {
         }
         let Some(kind) = self.read_numbered(line)? else { return Ok(None) };
         if self.keeps {
-            self.kept.push((line.clone(), kind));
+            self.push(line.clone(), kind);
             self.next = self.kept.len();
         }
         Ok(Some(kind))
@@ -79,10 +89,27 @@ impl<P: Pieces> Lines<P> {
     pub(super) fn keep(&mut self, line: &[u8], kind: LineKind) -> usize {
         if !self.keeps {
             self.keeps = true;
-            self.kept.push((line.to_vec(), kind));
+            self.push(line.to_vec(), kind);
             self.next = 1;
         }
         self.next - 1
+    }
+
+    fn push(&mut self, line: Vec<u8>, kind: LineKind) {
+        self.kept_bytes += line.capacity() + size_of::<(Vec<u8>, LineKind)>();
+        self.kept.push((line, kind));
+    }
+
+    /// Nothing leads back to the lines that are kept, unless they are near.
+    pub(super) fn forget_far(&mut self) {
+        if self.kept_bytes > FARTHEST_BACK && self.next == self.kept.len() {
+            (self.kept, self.next, self.keeps, self.kept_bytes) = (Vec::new(), 0, false, 0);
+        }
+    }
+
+    /// Whether more is kept than any loop has.
+    pub(super) fn are_too_many(&self) -> bool {
+        self.kept_bytes > LONGEST_BODY
     }
 
     /// The text of a line that is kept.
@@ -100,14 +127,17 @@ impl<P: Pieces> Lines<P> {
         self.next = place;
     }
 
-    /// Place of the first line from a place on that suits; all further lines are read for it and kept.
+    /// Place of the first line from a place on that suits, as far as lines are kept; further lines are read for it.
     pub(super) fn find(&mut self, from: usize, mut suits: impl FnMut(&[u8]) -> bool) -> io::Result<Option<usize>> {
         let mut line = Vec::new();
         let mut place = from;
         loop {
             if place == self.kept.len() {
+                if self.are_too_many() {
+                    return Ok(None);
+                }
                 let Some(kind) = self.read_numbered(&mut line)? else { return Ok(None) };
-                self.kept.push((line.clone(), kind));
+                self.push(line.clone(), kind);
             }
             if suits(&self.kept[place].0) {
                 return Ok(Some(place));

@@ -102,10 +102,19 @@ impl Flow {
         if self.ended {
             return Ok(self.after_end(line));
         }
+        if self.frames.is_empty() {
+            lines.forget_far();
+        } else if lines.are_too_many() {
+            self.frames.clear();
+            return Ok(Taken::Refused("a loop, a condition or a subprogram longer than the check keeps".to_owned()));
+        }
         if !substitute::may_state(line, self.form) {
             return Ok(Taken::Block);
         }
         if let Some(statement) = parse(line, &self.variables) {
+            if self.is_for_family(&statement) {
+                return Ok(Taken::Block);
+            }
             let place = lines.keep(line, kind);
             return self.execute(statement, place, lines);
         }
@@ -117,16 +126,9 @@ impl Flow {
         })
     }
 
-    /// After the end code subprograms may follow: they are executed where they are called.
+    /// After the end code the subprograms that have been called may follow: they are executed where they are called.
     fn after_end(&mut self, line: &[u8]) -> Taken {
-        let begins = match self.form {
-            Form::Letters => {
-                matches!(line.trim_ascii(), [b'O' | b'o' | b':', b'0'..=b'9', ..])
-                    || self.called.iter().any(|label| has_label(line, label, self.form))
-            }
-            Form::Keywords => false,
-            Form::Statements => parse(line, &self.variables) == Some(Statement::Label),
-        };
+        let begins = self.called.iter().any(|label| has_label(line, label, self.form));
         self.in_subprogram |= begins;
         let inside = self.in_subprogram;
         if parse(line, &self.variables) == Some(Statement::Return) {
@@ -135,19 +137,24 @@ impl Flow {
         if inside { Taken::Done } else { Taken::Block }
     }
 
+    /// Whether a statement is for the family: what a probe or a clock decides, and the end of a guard.
+    fn is_for_family(&self, statement: &Statement) -> bool {
+        match statement {
+            Statement::If(value, _)
+            | Statement::While(value, _)
+            | Statement::Jump(value, _)
+            | Statement::Repeat(value, _) => value.is_none(),
+            Statement::For(_, from, to, _) => from.is_none() || to.is_none(),
+            Statement::EndIf(label) => {
+                !matches!(self.frames.last(), Some(Frame { kind: FrameKind::If, label: of, .. }) if of == label)
+            }
+            _ => false,
+        }
+    }
+
     fn execute<P: Pieces>(&mut self, statement: Statement, place: usize, lines: &mut Lines<P>) -> io::Result<Taken> {
-        // What a probe or a clock decides is for the family.
-        let unknown = |value: &Value| value.is_none();
         let next = place + 1;
         match statement {
-            Statement::If(condition, _)
-            | Statement::While(condition, _)
-            | Statement::Jump(condition, _)
-            | Statement::Repeat(condition, _)
-                if unknown(&condition) =>
-            {
-                return Ok(Taken::Block);
-            }
             Statement::Assign(assigned) => {
                 for (variable, value) in assigned {
                     if variable.first().is_some_and(|first| first.is_ascii_alphabetic()) && self.form == Form::Keywords
@@ -182,13 +189,7 @@ impl Flow {
                 }
                 return self.skip_to_end(lines, next, &label);
             }
-            Statement::EndIf(label) => {
-                if !matches!(self.frames.last(), Some(Frame { kind: FrameKind::If, label: of, .. }) if *of == label) {
-                    // That of a guard.
-                    return Ok(Taken::Block);
-                }
-                self.frames.pop();
-            }
+            Statement::EndIf(_) => _ = self.frames.pop(),
             Statement::While(condition, label) => {
                 if condition == Some(0.0) {
                     return self.skip_to_end(lines, next, &label);
@@ -203,9 +204,9 @@ impl Flow {
                 return Ok(self.push(label, FrameKind::Repeat(times - 1), next));
             }
             Statement::For(variable, from, to, label) => {
-                let (Some(from), Some(to)) = (from, to) else { return Ok(Taken::Block) };
-                self.variables.set(variable.clone(), Some(from));
-                if from > to {
+                let (Some(first), Some(to)) = (from, to) else { return Ok(Taken::Block) };
+                self.variables.set(variable.clone(), from);
+                if first > to {
                     return self.skip_to_end(lines, next, &label);
                 }
                 return Ok(self.push(label, FrameKind::For(variable, to), next));
