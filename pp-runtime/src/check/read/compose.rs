@@ -69,6 +69,9 @@ impl Line<'_> {
         self.process_words();
         self.tool_words();
         self.motion(&asked);
+        if asked.call {
+            self.orders.late_in_either_order();
+        }
         self.left();
         self.one_act();
     }

@@ -345,6 +345,13 @@ impl Orders {
         list.insert(at, mode);
     }
 
+    /// A cycle that runs at the end of the block may come before its functions there or after them.
+    pub(super) fn late_in_either_order(&mut self) {
+        for mode in std::mem::take(&mut self.late) {
+            self.function(mode, Order::Either);
+        }
+    }
+
     /// Adds an act.
     pub(super) fn act(&mut self, act: Act) {
         self.speaks = true;

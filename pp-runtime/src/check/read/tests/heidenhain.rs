@@ -108,3 +108,18 @@ fn a_finding_shows_the_lines_as_the_program_has_them() {
     }
     assert!(DRILLING.starts_with(&seen[2]) && seen[2].contains("~\n  Q200=+2"), "{}", seen[2]);
 }
+
+#[test]
+fn a_function_at_the_end_of_a_block_comes_before_or_after_the_cycle_there() {
+    let of = |end: &str| {
+        let text = format!("{TNC}{DRILLING}4 L X+5 Y+5 Z+25 R0 FMAX {end}\n");
+        let blocks = read(Family::Heidenhain, &text);
+        let block = blocks.iter().find(|block| block.action.moves()).expect("it moves");
+        let coolant = |state: &State| state.coolant;
+        (coolant(&block.state), block.early.as_deref().map(coolant))
+    };
+    assert_eq!(of("M9").1, None);
+    let (late, early) = of("M99 M9");
+    assert_eq!(late, Some(0));
+    assert!(early.flatten().is_some_and(|on| on != 0), "{early:?}");
+}
