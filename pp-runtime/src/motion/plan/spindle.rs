@@ -136,7 +136,7 @@ impl SpindleState {
 
     /// Duration of a dwell, s.
     pub(crate) fn seconds(&self, dwell: Dwell) -> Result<f64, Fault> {
-        match (dwell, self.speed()) {
+        match (dwell, self.speed().filter(|_| !self.stop_pending)) {
             (Dwell::Seconds(seconds), _) => Ok(seconds),
             (Dwell::Revolutions(revolutions), Some(speed)) => Ok(revolutions / speed * 60.0),
             (Dwell::Revolutions(_), None) => Err(Fault::new("a dwell in spindle revolutions while the spindle is off")

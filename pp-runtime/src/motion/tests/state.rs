@@ -322,7 +322,12 @@ fn a_wait_is_written_in_seconds() {
     assert!(wait(Dwell::Seconds(2.5)).contains(&"G4 P2.5".to_owned()));
     assert!(wait(Dwell::Revolutions(400.0)).contains(&"G4 P3".to_owned()), "400 turns at 8000/min");
     let still = [tool(1), Event::Function(MachineFunction::Delay(Dwell::Revolutions(2.0)))];
-    assert!(run::<Cb>(&config(), &still).error().text.contains("while the spindle is off"));
+    let off = Event::Function(MachineFunction::Spindle(Spindle::Off));
+    let stopped =
+        [tool(1), spindle(), feed([0.0; 3], UP), off, Event::Function(MachineFunction::Delay(Dwell::Revolutions(2.0)))];
+    for events in [&still[..], &stopped] {
+        assert!(run::<Cb>(&config(), events).error().text.contains("while the spindle is off"));
+    }
 }
 
 #[test]
