@@ -338,7 +338,8 @@ impl<P: Pieces> Reader<P> {
 
     /// Executes a line that only moves axes; `false` if it is another.
     fn moves_along(&mut self) -> bool {
-        if self.own_retract || !self.dialect.moves(&self.line, &self.machine, &mut self.moves) {
+        if self.own_retract || self.flow.has_ended() || !self.dialect.moves(&self.line, &self.machine, &mut self.moves)
+        {
             return false;
         }
         // A word of it may have a declared effect.

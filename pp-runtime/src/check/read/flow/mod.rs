@@ -53,6 +53,8 @@ struct Frame {
 enum FrameKind {
     If,
     While,
+    /// Its condition is at its end.
+    Do,
     /// Rounds that are left.
     Repeat(u32),
     For(Variable, f64),
@@ -84,6 +86,11 @@ impl Flow {
     pub(super) fn new(form: Form) -> Self {
         let variables = Variables::new(form);
         Self { form, variables, frames: Vec::new(), jumps: 0, called: Vec::new(), ended: false, in_subprogram: false }
+    }
+
+    /// Whether the program has ended.
+    pub(super) fn has_ended(&self) -> bool {
+        self.ended
     }
 
     /// The program has ended.
@@ -143,6 +150,7 @@ impl Flow {
             Statement::If(value, _)
             | Statement::While(value, _)
             | Statement::Jump(value, _)
+            | Statement::Until(value, _)
             | Statement::Repeat(value, _) => value.is_none(),
             Statement::For(_, from, to, _) => from.is_none() || to.is_none(),
             Statement::EndIf(label) => {
@@ -190,7 +198,14 @@ impl Flow {
                 return self.skip_to_end(lines, next, &label);
             }
             Statement::EndIf(_) => _ = self.frames.pop(),
+            Statement::Do(label) => return Ok(self.push(label, FrameKind::Do, next)),
+            Statement::Until(condition, label) => return Ok(self.end_of_do(&label, condition == Some(0.0), lines)),
             Statement::While(condition, label) => {
+                let ends =
+                    matches!(self.frames.last(), Some(Frame { kind: FrameKind::Do, label: of, .. }) if *of == label);
+                if ends {
+                    return Ok(self.end_of_do(&label, condition != Some(0.0), lines));
+                }
                 if condition == Some(0.0) {
                     return self.skip_to_end(lines, next, &label);
                 }
@@ -312,9 +327,22 @@ impl Flow {
                 self.variables.set(variable.clone(), value);
                 again
             }
-            FrameKind::If | FrameKind::Call { .. } | FrameKind::Section(_) => {
+            FrameKind::If | FrameKind::Do | FrameKind::Call { .. } | FrameKind::Section(_) => {
                 return Taken::Refused("the end of a loop within another construct".to_owned());
             }
+        };
+        if again {
+            return self.lead(lines, place);
+        }
+        self.frames.pop();
+        Taken::Done
+    }
+
+    /// The end of a loop whose condition is there: another round, or what follows.
+    fn end_of_do<P: Pieces>(&mut self, label: &Label, again: bool, lines: &mut Lines<P>) -> Taken {
+        let begun = self.frames.last().filter(|frame| matches!(frame.kind, FrameKind::Do) && frame.label == *label);
+        let Some(place) = begun.map(|frame| frame.place) else {
+            return Taken::Refused("the end of a loop that has not begun".to_owned());
         };
         if again {
             return self.lead(lines, place);

@@ -18,6 +18,10 @@ pub(super) enum Statement {
     EndIf(Label),
     /// The lines up to [`EndLoop`](Self::EndLoop) as long as it holds.
     While(Value, Label),
+    /// Once, and again as long as it holds at the end.
+    Do(Label),
+    /// The end of [`Do`](Self::Do): the rounds end where it holds.
+    Until(Value, Label),
     /// So many times.
     Repeat(Value, Label),
     /// For each whole step of a variable.
@@ -224,6 +228,7 @@ fn o_word(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
         b"if" => Statement::If(condition()?, label),
         b"else" => Statement::Else(label),
         b"endif" => Statement::EndIf(label),
+        b"do" => Statement::Do(label),
         b"while" => Statement::While(condition()?, label),
         b"repeat" => Statement::Repeat(condition()?, label),
         b"endwhile" | b"endrepeat" => Statement::EndLoop(label),
@@ -265,6 +270,11 @@ fn keywords(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
         b"ENDIF" => return Some(Statement::EndIf(Label::new())),
         b"WHILE" => return Some(Statement::While(Expression::new(at, variables).condition()?, Label::new())),
         b"LOOP" => return Some(Statement::While(Some(1.0), Label::new())),
+        b"REPEAT" => {
+            at.blanks();
+            return at.rest().is_empty().then(|| Statement::Do(Label::new()));
+        }
+        b"UNTIL" => return Some(Statement::Until(Expression::new(at, variables).condition()?, Label::new())),
         b"ENDWHILE" | b"ENDLOOP" | b"ENDFOR" => return Some(Statement::EndLoop(Label::new())),
         b"FOR" => {
             at.blanks();

@@ -24,7 +24,7 @@ pub(super) fn may_state(line: &[u8], form: Form) -> bool {
 
 /// Beginnings of statements.
 const LETTERS: [&str; 9] = ["O", "GOTO", "DO", "END", "WHILE", "M98", "M97", "M99", "G65"];
-const KEYWORDS: [&str; 9] = ["IF", "ELSE", "END", "WHILE", "LOOP", "FOR", "GOTO", "DEF", "R"];
+const KEYWORDS: [&str; 10] = ["IF", "ELSE", "END", "WHILE", "LOOP", "FOR", "GOTO", "DEF", "R", "UNTIL"];
 
 /// Appends the line with the values of its expressions to `text`; whether it has any.
 ///

@@ -29,7 +29,7 @@ const FANUC: &str = "G21 G17 G40 G49 G80 G90 G94 G54\n";
 fn values_of_fanuc_and_haas_are_executed() {
     for family in [Family::Fanuc, Family::Haas] {
         let same = |text: &str, written_out: &str| {
-            let called = if text.contains("P1000") { "O1000\n#5=9.\nG1 X7. Y#5\nM99\n" } else { "" };
+            let called = if text.contains("P1000") { "O1000\n#5=9.\nG1 X7. Y#5\nX8.\nM99\n" } else { "" };
             same(family, &format!("{FANUC}{text}M30\n{called}"), &format!("{FANUC}{written_out}M30\n"));
         };
         same("#1=5\n#2=[#1*2.+1.]\nG0 X#1 Y-#2 Z[#1-#2]\n", "G0 X5. Y-11. Z-6.\n");
@@ -43,8 +43,11 @@ fn values_of_fanuc_and_haas_are_executed() {
             "G0 X1. Y0. Z0.\nG0 X2. Y0. Z0.\nG0 X4. Y0. Z0.\n",
         );
         same("#1=3\nIF [#1 GT 2] THEN #1=8\nG0 X#1 Y0. Z0.\n", "G0 X8. Y0. Z0.\n");
-        same("G0 X0. Y0. Z0.\nF50.\nM98 P1000 L2\nG0 X1.\n", "G0 X0. Y0. Z0.\nF50.\nG1 X7. Y9.\nG1 X7. Y9.\nG0 X1.\n");
-        same("#5=2\nG0 X0. Y0. Z0.\nF50.\nG65 P1000 A3.\nG0 X#5\n", "G0 X0. Y0. Z0.\nF50.\nG1 X7. Y9.\nG0 X2.\n");
+        same(
+            "G0 X0. Y0. Z0.\nF50.\nM98 P1000 L2\nG0 X1.\n",
+            "G0 X0. Y0. Z0.\nF50.\nG1 X7. Y9.\nX8.\nX7. Y9.\nX8.\nG0 X1.\n",
+        );
+        same("#5=2\nG0 X0. Y0. Z0.\nF50.\nG65 P1000 A3.\nG0 X#5\n", "G0 X0. Y0. Z0.\nF50.\nG1 X7. Y9.\nX8.\nG0 X2.\n");
     }
     let haas = format!("{FANUC}G0 X0. Y0. Z0.\nM97 P100\nM30\nN100 G0 X5.\nM99\n");
     assert_eq!(acts(Family::Haas, &haas).len(), 3);
@@ -61,6 +64,7 @@ fn values_of_linuxcnc_are_executed() {
     same("o1 sub\nG0 X#1 Y#2 Z0\no1 endsub\no1 call [3] [4]\no1 call [5] [6]\n", "G0 X3 Y4 Z0\nG0 X5 Y6 Z0\n");
     same("#1=2\no5 if [#1 EQ 1]\nG0 X1 Y0 Z0\no5 else\nG0 X2 Y0 Z0\no5 endif\n", "G0 X2 Y0 Z0\n");
     same("#1=1\no5 if [#1 EQ 1]\nG0 X1 Y0 Z0\no5 else\nG0 X2 Y0 Z0\no5 endif\n", "G0 X1 Y0 Z0\n");
+    same("#1=0\no9 do\nG0 X#1 Y0 Z0\n#1=[#1+1]\no9 while [#1 LT 2]\n", "G0 X0 Y0 Z0\nG0 X1 Y0 Z0\n");
     same("G0 X0 Y0 Z0\nG91\no7 repeat [3]\nG0 X2\no7 endrepeat\nG90\n", "G0 X0 Y0 Z0\nG91\nG0 X2\nG0 X2\nG0 X2\nG90\n");
 }
 
@@ -74,6 +78,7 @@ fn values_of_siemens_are_executed() {
     same("FOR R1=0 TO 2\nG0 X=R1 Y0 Z0\nENDFOR\n", "G0 X0 Y0 Z0\nG0 X1 Y0 Z0\nG0 X2 Y0 Z0\n");
     same("R1=1\nIF R1==1\nG0 X1 Y0 Z0\nELSE\nG0 X2 Y0 Z0\nENDIF\n", "G0 X1 Y0 Z0\n");
     same("R1=2\nIF R1==1 GOTOF A1\nG0 X1 Y0 Z0\nA1:\nG0 X=R1 Y0 Z0\n", "G0 X1 Y0 Z0\nG0 X2 Y0 Z0\n");
+    same("R1=0\nREPEAT\nG0 X=R1 Y0 Z0\nR1=R1+1\nUNTIL R1==2\n", "G0 X0 Y0 Z0\nG0 X1 Y0 Z0\n");
     same("R1=0\nWHILE R1<2\nR1=R1+1\nG0 X=R1 Y0 Z0\nENDWHILE\n", "G0 X1 Y0 Z0\nG0 X2 Y0 Z0\n");
 }
 
