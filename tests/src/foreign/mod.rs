@@ -7,11 +7,12 @@
 //! Layers, each of which knows only the one below:
 //!
 //! 1. [`lexer`]: text into tokens, a lexer a family; `lexer::tidy` refuses untidy text.
-//! 2. `table`: tokens into a [`Command`](meaning::Command) of the common language in [`meaning`], a table a family. A new
+//! 2. `flow`: lines in the order in which they are executed, with numbers for variables and expressions.
+//! 3. `table`: tokens into a [`Command`](meaning::Command) of the common language in [`meaning`], a table a family. A new
 //!    code is a row.
-//! 3. `machine`: commands into effects and state, one machine for all controls; `machine::careful` refuses what a control
+//! 4. `machine`: commands into effects and state, one machine for all controls; `machine::careful` refuses what a control
 //!    would execute and no careful programmer writes, such as a feed motion with the spindle off.
-//! 4. [`trace`]: the result.
+//! 5. [`trace`]: the result.
 //!
 //! Length guards take several lines and are recognised as a whole, in `guard`.
 //!
@@ -19,6 +20,7 @@
 //! here: positions are coordinates of the program.
 
 pub mod axes;
+mod flow;
 mod guard;
 pub mod lexer;
 mod machine;
@@ -35,6 +37,7 @@ pub use guard::guarded_length;
 pub use state::State;
 pub use trace::{Effect, Executed, Feed, Refused, Trace};
 
+use flow::Flow;
 use guard::{Guards, Outcome};
 use lexer::{Content, Mark};
 use machine::Machine;
@@ -142,7 +145,6 @@ pub fn run(text: &str, options: &Options) -> Result<Trace, Refused> {
         trace: Trace::default(),
         reached: options.entry.is_none(),
         ended: Ended::No,
-        last_number: None,
         tapes: 0,
         parts: Parts::default(),
     };
@@ -160,13 +162,45 @@ pub fn run(text: &str, options: &Options) -> Result<Trace, Refused> {
             tidy.map_err(|why| Refused { line: index + 1, why: format!("{why}: {line}") })?;
         }
     }
-    for (line, text) in lexer::joined(options.control, text) {
+    let joined = lexer::joined(options.control, text);
+    if options.control == Control::Heidenhain {
+        numbered(&joined)?;
+    }
+    let mut flow = Flow::new(options.control, options.untidy, joined);
+    loop {
+        let next = flow.line(run.guards.is_open()).map_err(|(line, why)| Refused { line, why })?;
+        let Some((line, text)) = next else { break };
+        let (reached, ended) = (run.reached, run.ended);
+        if !reached && options.entry.is_some_and(|entry| line >= entry.line) {
+            flow.forget();
+        }
         run.line(line, &text).map_err(|why| Refused { line, why: format!("{why}: {text}") })?;
+        if ended == Ended::No && run.ended == Ended::Code {
+            flow.end();
+        }
     }
     if run.ended == Ended::No || !run.reached || run.guards.is_open() {
         return Err(Refused { line: last, why: "there is no end code".to_owned() });
     }
     Ok(run.trace)
+}
+
+/// Refuses lines of a Heidenhain program whose numbers do not follow each other.
+fn numbered(lines: &[(usize, String)]) -> Result<(), Refused> {
+    let mut last: Option<u32> = None;
+    for (line, text) in lines {
+        let refused = |why: &str| Refused { line: *line, why: format!("{why}: {text}") };
+        let (number, rest) = text.trim_start().split_once(' ').ok_or_else(|| refused("a line without its number"))?;
+        let number = number.parse().map_err(|_| refused("a line without its number"))?;
+        if last.is_some_and(|last| number != last + 1) {
+            return Err(refused("the line number does not follow that of the line before"));
+        }
+        last = Some(number);
+        if rest.starts_with("END PGM ") {
+            break;
+        }
+    }
+    Ok(())
 }
 
 /// Progress towards the end of the file.
@@ -187,8 +221,6 @@ struct Run<'a> {
     /// The entry has been reached.
     reached: bool,
     ended: Ended,
-    /// Number of the line before, where every line has one.
-    last_number: Option<u32>,
     /// Marks `%` so far.
     tapes: u32,
     parts: Parts,
@@ -232,12 +264,6 @@ impl Run<'_> {
         }
         let control = self.options.control;
         let lexer::Line { number, content } = lexer::line(control, text)?;
-        if control == Control::Heidenhain {
-            if self.last_number.is_some_and(|last| number != Some(last + 1)) {
-                return Err("the line number does not follow that of the line before".to_owned());
-            }
-            self.last_number = number;
-        }
         let closing = matches!(content, Content::Mark(Mark::Tape | Mark::End));
         if self.ended != Ended::No && !(self.ended == Ended::Code && closing) {
             return Err("something follows the end code".to_owned());

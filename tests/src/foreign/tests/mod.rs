@@ -2,6 +2,7 @@
 
 mod careless;
 mod controls;
+mod flow;
 mod guards;
 mod linuxcnc;
 mod modes;
