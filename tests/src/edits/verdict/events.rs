@@ -20,7 +20,7 @@ pub(super) struct Event<'a> {
 pub(super) struct Shop {
     /// The clamps of M10 and M11, and of M68 and M69.
     pub clamps: [Option<bool>; 2],
-    /// M83 and M84, M88 and M89, M7 and M9.
+    /// M83 and M84, M88 and M89 (M85 on Heidenhain), M7 and M9.
     pub supplies: [Option<bool>; 3],
 }
 
@@ -31,7 +31,7 @@ impl Shop {
             10 | 11 => (&mut self.clamps[0], code == 10),
             68 | 69 => (&mut self.clamps[1], code == 68),
             83 | 84 => (&mut self.supplies[0], code == 83),
-            88 | 89 => (&mut self.supplies[1], code == 88),
+            85 | 88 | 89 => (&mut self.supplies[1], code == 88),
             7 => (&mut self.supplies[2], true),
             _ => return false,
         };

@@ -88,7 +88,8 @@ fn is_local(control: Control, name: &str) -> bool {
 
 /// R parameter of Siemens.
 fn is_arithmetic(name: &str) -> bool {
-    name.strip_prefix('R').is_some_and(|digits| !digits.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit()))
+    name.strip_prefix('R')
+        .is_some_and(|digits| !digits.is_empty() && digits.bytes().all(|digit| digit.is_ascii_digit()))
 }
 
 /// Binary operators, those that bind least first; of two in one row the longer one first.
@@ -97,17 +98,10 @@ fn operators(control: Control) -> &'static [&'static [&'static str]] {
         LinuxCnc => {
             &[&["AND", "XOR", "OR"], &["EQ", "NE", "GT", "GE", "LT", "LE"], &["+", "-"], &["*", "/", "MOD"], &["**"]]
         }
-        Fanuc | Haas => {
-            &[&["EQ", "NE", "GT", "GE", "LT", "LE"], &["+", "-", "XOR", "OR"], &["*", "/", "MOD", "AND"]]
+        Fanuc | Haas => &[&["EQ", "NE", "GT", "GE", "LT", "LE"], &["+", "-", "XOR", "OR"], &["*", "/", "MOD", "AND"]],
+        Siemens => {
+            &[&["==", "<>", ">=", "<=", ">", "<"], &["OR"], &["XOR"], &["AND"], &["+", "-"], &["*", "/", "DIV", "MOD"]]
         }
-        Siemens => &[
-            &["==", "<>", ">=", "<=", ">", "<"],
-            &["OR"],
-            &["XOR"],
-            &["AND"],
-            &["+", "-"],
-            &["*", "/", "DIV", "MOD"],
-        ],
         Heidenhain => &[&["+", "-"], &["*", "/"], &["^"]],
     }
 }
@@ -169,7 +163,8 @@ impl<'a> Reader<'a> {
 
     fn apply(&self, operator: &str, one: f64, other: f64) -> Result<f64, Fault> {
         let truth = |holds: bool| Ok(f64::from(u8::from(holds)));
-        let relation = matches!(operator, "EQ" | "NE" | "GT" | "GE" | "LT" | "LE" | "==" | "<>" | ">" | ">=" | "<" | "<=");
+        let relation =
+            matches!(operator, "EQ" | "NE" | "GT" | "GE" | "LT" | "LE" | "==" | "<>" | ">" | ">=" | "<" | "<=");
         // Controls compare with tolerances of their own.
         let tolerance = if self.control == LinuxCnc { 1e-4 } else { 1e-9 };
         let apart = (one - other).abs();
@@ -238,7 +233,9 @@ impl<'a> Reader<'a> {
         if let Some(function) = FUNCTIONS.iter().find(|function| self.word(function)) {
             return self.function(function);
         }
-        for (name, value) in [("TRUE", 1.0), ("FALSE", 0.0), ("$PI", std::f64::consts::PI), ("PI", std::f64::consts::PI)] {
+        for (name, value) in
+            [("TRUE", 1.0), ("FALSE", 0.0), ("$PI", std::f64::consts::PI), ("PI", std::f64::consts::PI)]
+        {
             if matches!(self.control, Siemens | Heidenhain) && self.word(name) {
                 return Ok(value);
             }

@@ -105,7 +105,8 @@ impl Flow {
             }
             self.next += 1;
             self.furthest = self.furthest.max(self.next);
-            let conditional = matches!(&line.statement, Statement::If(_) | Statement::Jump(Some(_), ..) | Statement::IfThen(..));
+            let conditional =
+                matches!(&line.statement, Statement::If(_) | Statement::Jump(Some(_), ..) | Statement::IfThen(..));
             let raw = line.text.clone();
             if guard || !self.active {
                 if self.control == Heidenhain {
@@ -249,9 +250,8 @@ impl Flow {
             Statement::Call(call) => self.call(at, &call)?,
             Statement::Sub => {
                 let label = self.lines[at].label.clone();
-                let end = (at..self.lines.len()).find(|line| {
-                    self.lines[*line].statement == Statement::EndSub && self.lines[*line].label == label
-                });
+                let end = (at..self.lines.len())
+                    .find(|line| self.lines[*line].statement == Statement::EndSub && self.lines[*line].label == label);
                 self.go(end.map_or_else(|| wrong("a subprogram does not end"), Ok)? + 1);
             }
             Statement::EndSub => self.leave("")?,
@@ -272,7 +272,9 @@ impl Flow {
             Err(fault) => return Err(fault),
         };
         let system = matches!(self.control, LinuxCnc | Fanuc | Haas)
-            && name[1..].parse::<u32>().is_ok_and(|number| number >= if self.control == LinuxCnc { 5000 } else { 1000 });
+            && name[1..]
+                .parse::<u32>()
+                .is_ok_and(|number| number >= if self.control == LinuxCnc { 5000 } else { 1000 });
         if system {
             return wrong("a variable of the control");
         }
@@ -414,7 +416,9 @@ impl Flow {
         let body = self.frames.last().expect("the main program").body.clone();
         let is = |line: &usize| {
             let line = &self.lines[*line];
-            line.label.as_deref() == Some(label) && !Pair::Loop.opens(&line.statement) && !Pair::Loop.closes(&line.statement)
+            line.label.as_deref() == Some(label)
+                && !Pair::Loop.opens(&line.statement)
+                && !Pair::Loop.closes(&line.statement)
         };
         let forward = (at + 1..body.end).find(is);
         let backward = || (body.start..at.min(body.end)).rev().find(is);
@@ -487,7 +491,7 @@ impl Flow {
             let line = &self.lines[*line];
             line.statement == Statement::Sub && line.label.as_deref() == Some(&call.name)
         });
-        found.map_or(Err(Fault::Unknown), Ok)
+        found.ok_or(Fault::Unknown)
     }
 
     /// First line of a program of this name, and its runs where the name holds them: `M98 P21000`.
@@ -582,7 +586,8 @@ impl Flow {
             return if self.control == Heidenhain { Ok(()) } else { wrong("a return without a call") };
         }
         let result = if self.control == LinuxCnc && !text.is_empty() { Some(self.value(text)?) } else { None };
-        let target = if matches!(self.control, Fanuc | Haas) && !text.is_empty() { Some(self.label(text)?) } else { None };
+        let target =
+            if matches!(self.control, Fanuc | Haas) && !text.is_empty() { Some(self.label(text)?) } else { None };
         let frame = self.frame();
         frame.runs -= 1;
         frame.left.clear();
@@ -663,10 +668,9 @@ impl Pair {
     fn opens(self, statement: &Statement) -> bool {
         match self {
             Self::Branch => matches!(statement, Statement::If(_)),
-            Self::Loop => matches!(
-                statement,
-                Statement::While(_) | Statement::Loop | Statement::Repeat(_) | Statement::For(..)
-            ),
+            Self::Loop => {
+                matches!(statement, Statement::While(_) | Statement::Loop | Statement::Repeat(_) | Statement::For(..))
+            }
         }
     }
 

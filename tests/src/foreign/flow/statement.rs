@@ -108,7 +108,9 @@ pub(super) fn lines(control: Control, joined: Vec<(usize, String)>, variables: &
             {
                 statement = Statement::EndLoopIf(condition.clone(), true);
             }
-        } else if matches!(control, Fanuc | Haas) && matches!(statement, Statement::EndLoop | Statement::While(_) | Statement::Loop) {
+        } else if matches!(control, Fanuc | Haas)
+            && matches!(statement, Statement::EndLoop | Statement::While(_) | Statement::Loop)
+        {
             label = code.rfind(['O', 'D']).map(|place| code[place + 1..].to_owned());
         } else if control == Heidenhain && statement == Statement::Nothing {
             label = code.strip_prefix("LBL").map(str::to_owned);
@@ -123,7 +125,8 @@ pub(super) fn lines(control: Control, joined: Vec<(usize, String)>, variables: &
 /// Whether the last loop of this label is a DO that has not ended.
 fn is_end_of_do(lines: &[Line], label: &Option<String>) -> bool {
     let of_loop = |line: &&Line| {
-        line.label == *label && matches!(line.statement, Statement::Loop | Statement::EndLoop | Statement::EndLoopIf(..))
+        line.label == *label
+            && matches!(line.statement, Statement::Loop | Statement::EndLoop | Statement::EndLoopIf(..))
     };
     lines.iter().rev().find(of_loop).is_some_and(|line| line.statement == Statement::Loop)
 }
@@ -370,9 +373,7 @@ fn siemens(code: &str, programs: &[String], variables: &Variables) -> Statement 
     let is_call = |name: &str| programs.iter().any(|program| program == name);
     if let Some(condition) = after("IF ").or_else(|| after("IF(").map(|rest| format!("({rest}"))) {
         return match condition.find(" GOTO") {
-            Some(place) => {
-                jump(&condition[place..], Some(condition[..place].to_owned())).unwrap_or(Statement::Block)
-            }
+            Some(place) => jump(&condition[place..], Some(condition[..place].to_owned())).unwrap_or(Statement::Block),
             None => Statement::If(condition),
         };
     }
@@ -437,9 +438,7 @@ fn heidenhain(code: &str) -> Statement {
             };
         }
         return match rest.split_once('=') {
-            Some((name, values)) if function <= 8 => {
-                Statement::Function(function, name.to_owned(), values.to_owned())
-            }
+            Some((name, values)) if function <= 8 => Statement::Function(function, name.to_owned(), values.to_owned()),
             _ => Statement::Block,
         };
     }

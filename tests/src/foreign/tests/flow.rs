@@ -47,7 +47,11 @@ fn words_hold_expressions() {
     reads(Fanuc, "#100=2.\n#101=#100*3.\nG0 X[#101+.5]\nX-#100\nX-[#100+1.]", &[6.5, -2.0, -3.0]);
     reads(Haas, "#100=2.\nG00 X#100\nX[ROUND[2.4] + FUP[.1] + FIX[1.9] + 7 MOD 4]", &[2.0, 7.0]);
     reads(Siemens, "DEF REAL FAR=6, NEAR\nR1=2 R2=R1*3\nG0 X=R2+0.5\nX=-R1\nX=IC(R1)\nX=FAR", &[6.5, -2.0, 0.0, 6.0]);
-    reads(Heidenhain, "Q1 = +2\nFN 3: Q2 = +Q1 * +3\nL X+Q2 R0 FMAX\nL X-Q1 R0 FMAX\nQL3 = (Q1 + 1) * 2\nL X+QL3 R0 FMAX", &[6.0, -2.0, 6.0]);
+    reads(
+        Heidenhain,
+        "Q1 = +2\nFN 3: Q2 = +Q1 * +3\nL X+Q2 R0 FMAX\nL X-Q1 R0 FMAX\nQL3 = (Q1 + 1) * 2\nL X+QL3 R0 FMAX",
+        &[6.0, -2.0, 6.0],
+    );
 }
 
 #[test]
@@ -61,10 +65,22 @@ fn operators_bind_as_on_the_control() {
 #[test]
 fn conditions_choose() {
     reads(LinuxCnc, "#1=5\no1 if [#1 LT 3]\nG0 X1\no1 elseif [#1 LT 9]\nG0 X2\no1 else\nG0 X3\no1 endif", &[2.0]);
-    reads(Fanuc, "#1=5.\nIF [#1 EQ 5] THEN #2=7.\nIF [#1 NE 5] THEN #2=8.\nG0 X#2\nIF [#1 GT 3] GOTO 10\nX1.\nN10 X2.", &[7.0, 2.0]);
+    reads(
+        Fanuc,
+        "#1=5.\nIF [#1 EQ 5] THEN #2=7.\nIF [#1 NE 5] THEN #2=8.\nG0 X#2\nIF [#1 GT 3] GOTO 10\nX1.\nN10 X2.",
+        &[7.0, 2.0],
+    );
     reads(Haas, "#101=5.\nIF [#101 EQ 5] GOTO 10\nG00 X1.\nN10\nG00 X2.", &[2.0]);
-    reads(Siemens, "R1=5\nIF R1<3\nG0 X1\nELSE\nIF (R1==5) AND (R1>2)\nG0 X2\nENDIF\nENDIF\nIF R1>2 GOTOF OVER\nX3\nOVER:\nX4", &[2.0, 4.0]);
-    reads(Heidenhain, "Q1 = +5\nFN 9: IF +Q1 EQU +5 GOTO LBL 7\nL X+1 R0 FMAX\nLBL 7\nFN 12: IF +Q1 LT +3 GOTO LBL 8\nL X+2 R0 FMAX\nLBL 8", &[2.0]);
+    reads(
+        Siemens,
+        "R1=5\nIF R1<3\nG0 X1\nELSE\nIF (R1==5) AND (R1>2)\nG0 X2\nENDIF\nENDIF\nIF R1>2 GOTOF OVER\nX3\nOVER:\nX4",
+        &[2.0, 4.0],
+    );
+    reads(
+        Heidenhain,
+        "Q1 = +5\nFN 9: IF +Q1 EQU +5 GOTO LBL 7\nL X+1 R0 FMAX\nLBL 7\nFN 12: IF +Q1 LT +3 GOTO LBL 8\nL X+2 R0 FMAX\nLBL 8",
+        &[2.0],
+    );
 }
 
 #[test]
@@ -72,7 +88,11 @@ fn loops_run() {
     let three = [1.0, 2.0, 3.0];
     reads(LinuxCnc, "#1=1\no1 while [#1 LE 3]\nG0 X#1\n#1=[#1+1]\no1 endwhile", &three);
     reads(LinuxCnc, "#1=1\no1 do\nG0 X#1\n#1=[#1+1]\no1 while [#1 LE 3]", &three);
-    reads(LinuxCnc, "#1=0\no1 repeat [9]\n#1=[#1+1]\no2 if [#1 GT 3]\no1 break\no2 endif\nG0 X#1\no1 endrepeat", &three);
+    reads(
+        LinuxCnc,
+        "#1=0\no1 repeat [9]\n#1=[#1+1]\no2 if [#1 GT 3]\no1 break\no2 endif\nG0 X#1\no1 endrepeat",
+        &three,
+    );
     for control in [Fanuc, Haas] {
         reads(control, "#1=1\nWHILE [#1 LE 3] DO1\nG0 X#1\n#1=#1+1\nEND1", &three);
         reads(control, "#1=1\nN5\nG0 X#1\n#1=#1+1\nIF [#1 LE 3] GOTO 5", &three);

@@ -87,7 +87,7 @@ fn with_options(programs: &mut Vec<Posted>) {
 }
 
 /// Random programs, by their seeds.
-fn random(programs: &mut Vec<Posted>, count: usize, first: u64) {
+pub(super) fn random(programs: &mut Vec<Posted>, count: usize, first: u64) {
     let wanted = programs.len() + count;
     for seed in first.. {
         if programs.len() == wanted {

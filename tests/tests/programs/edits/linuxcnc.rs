@@ -135,6 +135,12 @@ fn difference(was: &[Action], is: &[Action], allowed: Allowed) -> Option<String>
     (was.len() != is.len()).then(|| format!("{} actions became {}", was.len(), is.len()))
 }
 
+/// Whether the canonical calls of two programs make the same motions in the same states.
+pub(super) fn same_calls(was: &str, is: &str, allowed: Allowed) -> Result<(), String> {
+    let [was, is] = [was, is].map(calls);
+    difference(&actions(&was), &actions(&is), allowed).map_or(Ok(()), Err)
+}
+
 /// Whether an F or an S differs by no more than 1 %.
 fn nearly(was: &Action, is: &Action, kind: &str) -> bool {
     let number = |action: &Action| -> Option<f64> {

@@ -9,6 +9,7 @@
 //! `PP_EDITS_REPORT=path` writes every edit that is missed or falsely found, grouped; their files are in `path.files`.
 
 mod corpus;
+mod flow;
 mod linuxcnc;
 
 use std::collections::BTreeMap;

@@ -8,8 +8,8 @@ use tests::random::Random;
 use super::cl::{AxisRange, FRAMES, Frames, Needs, TOOLS};
 
 /// Codes that machine builders add, for coolant and clamps, and those of AUXFUN and of the blocks of operations.
-pub(crate) const BUILDER_CODES: [&str; 12] =
-    ["M7", "M83", "M84", "M88", "M89", "M10", "M11", "M68", "M69", "M77", "M78", "M79"];
+pub(crate) const BUILDER_CODES: [&str; 13] =
+    ["M7", "M83", "M84", "M85", "M88", "M89", "M10", "M11", "M68", "M69", "M77", "M78", "M79"];
 
 /// Properties of a machine on which a set-up depends.
 #[derive(Debug, Clone, Copy)]
@@ -367,7 +367,9 @@ impl File<'_> {
         let guard = if control == "linuxcnc" && given_offsets != 0 { "false" } else { "true" };
         self.one_of(0.2, "", "length_guard", &[guard, "false"]);
         // Codes that machine builders add.
-        let codes = "mist = [\"M7\", \"M9\"], through = [\"M88\", \"M89\"], air = [\"M83\", \"M84\"]";
+        // M89 is a code of Heidenhain itself.
+        let off = if control == "heidenhain" { "M85" } else { "M89" };
+        let codes = format!("mist = [\"M7\", \"M9\"], through = [\"M88\", \"{off}\"], air = [\"M83\", \"M84\"]");
         self.put("control", format!("coolant = {{ {codes} }}"));
         let norms: &[&str] = match control {
             "heidenhain" => &["\"xyz\"", "\"xyz+deg\""],
