@@ -87,7 +87,7 @@ fn what_changes_a_motion_or_its_state_is_harmful() {
 #[test]
 fn what_a_control_does_not_know_is_refused() {
     for (from, to) in
-        [("X30\n", "X30\nM98 P1000\n"), ("X30\n", "X30\n#1=5\n"), ("M8\n", "M8 M9\n"), ("X8\n", "X8 L3\n")]
+        [("X30\n", "X30\nM98 P1000\n"), ("X30\n", "X30\nX#5420\n"), ("M8\n", "M8 M9\n"), ("X8\n", "X8 L3\n")]
     {
         let verdict = judged(from, to);
         assert!(matches!(verdict, Verdict::Refused(_)), "{from:?} to {to:?}: {verdict:?}");
@@ -100,6 +100,8 @@ fn what_changes_nothing_is_harmless() {
         ("X30\n", "X30.0 (HERE)\n"),
         ("X30\n", "G90 X30 Y5\n"),
         ("X30\n", "(HERE)\nX30\n"),
+        ("X30\n", "X30\n#1=5\n"),
+        ("X30\n", "#1=15\nX[#1 * 2]\n"),
         ("X30\n", "G1 X30 F600\n"),
         ("M8\n", "M8\nM8\n"),
         ("G80\n", "G80\nG17\n"),

@@ -56,7 +56,11 @@ fn words_hold_expressions() {
 
 #[test]
 fn operators_bind_as_on_the_control() {
-    reads(LinuxCnc, "G0 X[2+3*4]\nX[10 MOD 4]\nX[1 EQ 1 AND 2 GT 1]\nX[ATAN[1]/[1]]", &[14.0, 2.0, 1.0, 45.0]);
+    reads(
+        LinuxCnc,
+        "G0 X[2+3*4]\nX[-7 MOD 4]\nX[FIX[-2.2]]\nX[1 EQ 1 AND 2 GT 1]\nX[ATAN[1]/[1]]",
+        &[14.0, 1.0, -3.0, 1.0, 45.0],
+    );
     reads(Fanuc, "G0 X[2+3*4]\nX[12 AND 10]\nX[1 OR 2]\nX[SIN[30]*2]", &[14.0, 8.0, 3.0, 1.0]);
     reads(Siemens, "G0 X=2+3*4\nX=7 DIV 2\nX=7 MOD 4\nX=SQRT(POT(3)+16)\nX=(1+2)*3", &[14.0, 3.0, 3.0, 5.0, 9.0]);
     reads(Heidenhain, "Q1 = 2 + 3 * 4\nL X+Q1 R0 FMAX\nQ1 = SQRT 16 + 2 ^ 3\nL X+Q1 R0 FMAX", &[14.0, 12.0]);

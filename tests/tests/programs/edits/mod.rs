@@ -176,6 +176,15 @@ fn is_message(edit: &Edit) -> bool {
     !abort && edit.before.split(" | ").chain(edit.after.split(" | ")).all(message)
 }
 
+/// Whether an edit adds, moves or removes codes of the shop alone that are declared to have no effect.
+fn is_without_effect(edit: &Edit) -> bool {
+    let rest = |text: &str| -> Vec<String> {
+        let words = text.split([' ', '|']).filter(|word| !word.is_empty() && !["M77", "M78", "M79"].contains(word));
+        words.map(str::to_owned).collect()
+    };
+    edit.before != edit.after && rest(&edit.before) == rest(&edit.after)
+}
+
 fn judged(posted: &Posted, edit: &Edit, tally: &mut Tally) -> Option<Failure> {
     let subject = &posted.subject;
     let control = subject.options.control;
@@ -186,6 +195,7 @@ fn judged(posted: &Posted, edit: &Edit, tally: &mut Tally) -> Option<Failure> {
         || verdict == Verdict::Harmless && !is_harmless_for_the_careful(posted, edit)
         || verdict == Verdict::Harmless && is_matter_of_taste(posted, edit)
         || matches!(verdict, Verdict::Refused(_)) && (is_message(edit) || is_another_mode(edit))
+        || matches!(verdict, Verdict::Harmful(_)) && is_without_effect(edit)
         || verdict == Verdict::Harmless && is_another_restart(posted, edit, &edited)
     {
         tally.undecided += 1;

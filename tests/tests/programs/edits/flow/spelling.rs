@@ -43,26 +43,90 @@ fn count(control: Control, name: usize) -> String {
     }
 }
 
+/// Expressions and their values. AND, OR and XOR of whole numbers on Fanuc and Haas and FIX of a negative number on LinuxCNC
+/// are left out: the check computes them otherwise than the manuals and LinuxCNC.
+fn expressions(control: Control) -> &'static [(&'static str, f64)] {
+    match control {
+        LinuxCnc => &[
+            ("2 + 3 * 4", 14.0),
+            ("10 - 4 - 3", 3.0),
+            ("24 / 4 / 2", 3.0),
+            ("2 ** 3 * 2", 16.0),
+            ("[1 + 2] * -3", -9.0),
+            ("7 MOD 4", 3.0),
+            ("[3 GT 2]", 1.0),
+            ("[1 EQ 2 OR 2 LT 3]", 1.0),
+            ("SIN[30] * 2", 1.0),
+            ("COS[60] + TAN[45]", 1.5),
+            ("ATAN[1]/[-1]", 135.0),
+            ("ASIN[.5]", 30.0),
+            ("FIX[2.8] + FUP[2.2]", 5.0),
+            ("FUP[-2.2]", -2.0),
+            ("-7 MOD 4", 1.0),
+            ("ROUND[2.6] - ABS[-3]", 0.0),
+        ],
+        Fanuc | Haas => &[
+            ("2 + 3 * 4", 14.0),
+            ("10 - 4 - 3", 3.0),
+            ("24 / 4 / 2", 3.0),
+            ("[1 + 2] * 3", 9.0),
+            ("7 MOD 4", 3.0),
+            ("SIN[30] * 2", 1.0),
+            ("COS[60.] + TAN[45.]", 1.5),
+            ("ATAN[1]/[-1]", 135.0),
+            ("FIX[2.8] + FUP[2.2]", 5.0),
+            ("ROUND[2.6] - ABS[-3.]", 0.0),
+        ],
+        Siemens => &[
+            ("2+3*4", 14.0),
+            ("10-4-3", 3.0),
+            ("24/4/2", 3.0),
+            ("(1+2)*-3", -9.0),
+            ("7 DIV 2", 3.0),
+            ("7 MOD 4", 3.0),
+            ("SIN(30)*2", 1.0),
+            ("COS(60)+TAN(45)", 1.5),
+            ("ATAN2(1,-1)", 135.0),
+            ("POT(3)-SQRT(16)", 5.0),
+            ("TRUNC(2.8)+ROUND(2.6)", 5.0),
+            ("ABS(-3)", 3.0),
+        ],
+        Heidenhain => &[
+            ("2 + 3 * 4", 14.0),
+            ("10 - 4 - 3", 3.0),
+            ("( 1 + 2 ) * 3", 9.0),
+            ("SIN 30 * 2", 1.0),
+            ("COS 60 + TAN 45", 1.5),
+            ("2 ^ 3", 8.0),
+            ("SQ 3 - SQRT 16", 5.0),
+            ("INT 2.8", 2.0),
+            ("ABS ( 1 - 4 )", 3.0),
+        ],
+    }
+}
+
 /// A line that sets a variable, and the word that has the value by it.
 pub(super) fn word(control: Control, word: (&str, f64), name: usize, random: &mut Random) -> (String, String) {
     let (letters, value) = word;
     let variable = variable(control, name);
     let form = random.below(4);
-    let held = [value, -value, value / 2.0, value - 5.0][form];
+    let known = expressions(control);
+    let (expression, known) = known[random.below(known.len())];
+    let held = [value, -value, value / 2.0, value - known][form];
     let set = set(control, name, held);
     let word = match (control, form) {
         (LinuxCnc | Fanuc | Haas, 0) => format!("{letters}{variable}"),
         (LinuxCnc | Fanuc | Haas, 1) => format!("{letters}-{variable}"),
         (LinuxCnc | Fanuc | Haas, 2) => format!("{letters}[2*{variable}]"),
-        (LinuxCnc | Fanuc | Haas, _) => format!("{letters}[{variable} + SQRT[25]]"),
+        (LinuxCnc | Fanuc | Haas, _) => format!("{letters}[{variable} + [{expression}]]"),
         (Siemens, 0) => format!("{letters}={variable}"),
         (Siemens, 1) => format!("{letters}=-{variable}"),
         (Siemens, 2) => format!("{letters}={variable}*2"),
-        (Siemens, _) => format!("{letters}=({variable}+SQRT(25))"),
+        (Siemens, _) => format!("{letters}={variable}+({expression})"),
         (Heidenhain, 0) => format!("{letters}+{variable}"),
         (Heidenhain, 1) => format!("{letters}-{variable}"),
         (Heidenhain, form) => {
-            let more = ["", "", " * 2", " + SQRT 25"][form];
+            let more = if form == 2 { " * 2".to_owned() } else { format!(" + ( {expression} )") };
             let [one, other] = [format!("{set}\n{variable} = {variable}{more}"), format!("{letters}+{variable}")];
             return (one, other);
         }
