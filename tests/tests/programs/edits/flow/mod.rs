@@ -325,8 +325,9 @@ fn wrong(posted: &Posted, program: &Program, harm: bool, tally: &mut Tally) -> O
 }
 
 /// What the interpreter of LinuxCNC makes of a program, if it differs from the verdict.
-fn wrong_for_linuxcnc(posted: &Posted, program: &Program, harm: bool) -> Option<String> {
+fn wrong_for_linuxcnc(posted: &Posted, program: &Program, harm: bool, tally: &mut Tally) -> Option<String> {
     let original = interpret(&posted.text, 0.0).ok()?;
+    tally.by_linuxcnc += 1;
     let same = match interpret_edited(&program.text, &posted.text, 0.0) {
         Ok(calls) => same_calls(&original, &calls, posted.subject.allowed),
         Err(why) => Err(why),
@@ -365,8 +366,7 @@ fn variables_loops_and_subprograms_are_read_alike() {
         let tally = &mut tallies[made % 5];
         let mut why = wrong(posted, &program, harm, tally);
         if control == Control::LinuxCnc && third_reader && why.is_none() && tally.by_linuxcnc < count / 10 {
-            tally.by_linuxcnc += 1;
-            why = wrong_for_linuxcnc(posted, &program, harm);
+            why = wrong_for_linuxcnc(posted, &program, harm, tally);
         }
         failures.extend(why.map(|why| format!("{} {kinds:?} {why}", control.name())));
         made += 1;
