@@ -21,6 +21,8 @@ pub(super) struct Expression<'e, 'a> {
     pub(super) variables: &'e Variables,
     /// Nesting, which is limited.
     depth: u8,
+    /// The part that has been read last is one number, variable, function or bracket.
+    single: bool,
 }
 
 /// Deepest nesting of brackets.
@@ -28,24 +30,34 @@ const DEEPEST: u8 = 32;
 
 impl<'e, 'a> Expression<'e, 'a> {
     pub(super) fn new(at: &'e mut Cursor<'a>, variables: &'e Variables) -> Self {
-        Self { at, variables, depth: 0 }
+        Self { at, variables, depth: 0, single: false }
     }
 
     /// A condition, or a number: what is true is 1.
     pub(super) fn condition(&mut self) -> Parsed {
         let mut value = self.comparison()?;
+        let (mut alike, mut before) = (self.is_alike(value), None);
         loop {
             let and = self.operator(&["AND", "&&"]);
             if !and && !self.operator(&["OR", "||"]) {
                 return Some(value);
             }
             let other = self.comparison()?;
+            alike &= self.is_alike(other) && before.is_none_or(|before| before == and);
+            before = Some(and);
             value = match (value, other) {
-                (Some(one), Some(other)) if and => Some(f64::from(one != 0.0 && other != 0.0)),
-                (Some(one), Some(other)) => Some(f64::from(one != 0.0 || other != 0.0)),
+                (Some(one), Some(other)) if alike && and => Some(f64::from(one != 0.0 && other != 0.0)),
+                (Some(one), Some(other)) if alike => Some(f64::from(one != 0.0 || other != 0.0)),
                 _ => None,
             };
         }
+    }
+
+    /// Whether AND and OR make the same of the part that has been read on all controls of its form: Fanuc and Haas combine
+    /// bits, before they add; LinuxCNC what is true, after it has compared.
+    fn is_alike(&self, value: Value) -> bool {
+        let is_logical = |value: f64| value == 0.0 || value == 1.0;
+        self.variables.form() != Form::Letters || self.single && value.is_none_or(is_logical)
     }
 
     fn comparison(&mut self) -> Parsed {
@@ -60,6 +72,7 @@ impl<'e, 'a> Expression<'e, 'a> {
         ];
         let Some((_, holds)) = relations.into_iter().find(|(names, _)| self.operator(names)) else { return Some(one) };
         let other = self.sum()?;
+        self.single = false;
         Some(one.zip(other).map(|(one, other)| f64::from(holds(one, other))))
     }
 
@@ -71,6 +84,7 @@ impl<'e, 'a> Expression<'e, 'a> {
                 return Some(value);
             }
             let other = self.product()?;
+            self.single = false;
             value = value.zip(other).map(|(one, other)| if minus { one - other } else { one + other });
         }
     }
@@ -80,16 +94,21 @@ impl<'e, 'a> Expression<'e, 'a> {
         loop {
             let modulo = self.operator(&["MOD"]);
             let times = !modulo && self.sign(b'*');
-            let divided = !modulo && !times && (self.sign(b'/') || self.operator(&["DIV"]));
+            let sign = !modulo && !times && self.sign(b'/');
+            let divided = sign || !modulo && !times && self.operator(&["DIV"]);
+            let whole = self.variables.form() == Form::Keywords;
             if !modulo && !times && !divided {
                 return Some(value);
             }
             let other = self.power()?;
+            self.single = false;
+            // Controls differ in the sign of MOD, and some in whether DIV has decimals.
             value = value.zip(other).and_then(|(one, other)| match () {
                 () if times => Some(one * other),
                 () if other == 0.0 => None,
-                () if divided => Some(one / other),
-                () => Some(one.rem_euclid(other)),
+                () if sign => Some(one / other),
+                () if divided => Some(one / other).filter(|quotient| !whole || quotient.fract() == 0.0),
+                () => (one >= 0.0 && other > 0.0).then(|| one % other),
             });
         }
     }
@@ -100,6 +119,7 @@ impl<'e, 'a> Expression<'e, 'a> {
             return Some(value);
         }
         let other = self.signed()?;
+        self.single = false;
         Some(value.zip(other).map(|(one, other)| one.powf(other)).filter(|value| value.is_finite()))
     }
 
@@ -129,6 +149,7 @@ impl<'e, 'a> Expression<'e, 'a> {
             },
         };
         self.depth -= 1;
+        self.single = true;
         value
     }
 
@@ -158,8 +179,10 @@ impl<'e, 'a> Expression<'e, 'a> {
             b"SQ" | b"POT" => |x| x * x,
             b"ABS" => f64::abs,
             b"ROUND" => f64::round,
-            b"FIX" | b"INT" | b"TRUNC" => f64::trunc,
-            b"FUP" => f64::ceil,
+            // Of what is negative Fanuc takes FIX towards zero and FUP away from it, LinuxCNC both by their order.
+            b"FIX" => |x| if x >= 0.0 || x.fract() == 0.0 { x.trunc() } else { f64::NAN },
+            b"FUP" => |x| if x >= 0.0 || x.fract() == 0.0 { x.ceil() } else { f64::NAN },
+            b"INT" | b"TRUNC" => f64::trunc,
             b"FRAC" => f64::fract,
             b"EXP" => f64::exp,
             b"LN" => f64::ln,

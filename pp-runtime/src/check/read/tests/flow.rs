@@ -119,6 +119,13 @@ fn what_does_not_follow_from_the_program_is_refused() {
         "END1",
         "M99",
         "#1=1/0\nG0 X#1",
+        "G0 X[1 OR 6]",
+        "G0 X[12 AND 10]",
+        "G0 X[1 OR 0+1]",
+        "G0 X[5 XOR 1]",
+        "G0 X[FIX[-2.2]]",
+        "G0 X[FUP[-2.2]]",
+        "#1=-5\nG0 X[#1 MOD 3]",
     ] {
         assert!(!faults(Family::Fanuc, &format!("{FANUC}{text}\nM30\n")).is_empty(), "{text}");
     }
