@@ -10,7 +10,7 @@ use super::text::GOES_ON;
 pub(super) const LONGEST: usize = 1 << 16;
 
 /// Text that is kept for a jump back where no loop, condition or call is open, bytes.
-const FARTHEST_BACK: usize = 8 << 20;
+const FARTHEST_BACK: usize = 128 << 10;
 
 /// Text that is kept for a loop, a condition or a subprogram, bytes.
 const LONGEST_BODY: usize = 64 << 20;
