@@ -9,7 +9,7 @@ use super::text::GOES_ON;
 /// A line longer than this is no line of a program, bytes.
 pub(super) const LONGEST: usize = 1 << 16;
 
-/// Text that is kept for a jump back where no loop, condition or call is open, bytes.
+/// Text that is kept for a jump back where no loop or call is open, bytes.
 const FARTHEST_BACK: usize = 128 << 10;
 
 /// Text that is kept for a loop, a condition or a subprogram, bytes.

@@ -109,7 +109,7 @@ impl Flow {
         if self.ended {
             return Ok(self.after_end(line));
         }
-        if self.frames.is_empty() {
+        if self.frames.iter().all(|frame| matches!(frame.kind, FrameKind::If)) {
             lines.forget_far();
         } else if lines.are_too_many() {
             self.frames.clear();
