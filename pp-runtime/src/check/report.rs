@@ -199,6 +199,9 @@ struct Run {
     last: u64,
 }
 
+/// Faults that the next block may have, too, at most: the others are not continued.
+const MOST_RUNS: usize = 32;
+
 /// Kind of the findings about blocks that match nothing.
 const LOST: &str = "lost";
 
@@ -300,6 +303,10 @@ impl Tally {
             return;
         }
         self.outcome.count += 1;
+        if self.runs.len() == MOST_RUNS {
+            let run = self.runs.remove(0);
+            self.add(run.found.with_text());
+        }
         self.runs.push(Run { found: Finding::new(at, shown, cause, None), kind, last: number });
     }
 
