@@ -166,7 +166,7 @@ pub fn run(text: &str, options: &Options) -> Result<Trace, Refused> {
     if options.control == Control::Heidenhain {
         numbered(&joined)?;
     }
-    let mut flow = Flow::new(options.control, options.untidy, joined);
+    let mut flow = Flow::new(options.control, options.untidy, &options.idle, joined);
     loop {
         let next = flow.line(run.guards.is_open()).map_err(|(line, why)| Refused { line, why })?;
         let Some((line, text)) = next else { break };

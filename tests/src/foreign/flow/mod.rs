@@ -63,10 +63,14 @@ enum Done {
 }
 
 impl Flow {
-    pub(super) fn new(control: Control, active: bool, joined: Vec<(usize, String)>) -> Self {
+    pub(super) fn new(control: Control, active: bool, idle: &[String], joined: Vec<(usize, String)>) -> Self {
         let mut variables = Variables::default();
         variables.begin(BTreeMap::new());
-        let lines = statement::lines(control, joined, &mut variables);
+        let mut lines = statement::lines(control, joined, &mut variables);
+        // Calls of the shop's own programs.
+        for line in lines.iter_mut().filter(|line| idle.iter().any(|idle| line.code == idle.replace(" ", ""))) {
+            line.statement = Statement::Block;
+        }
         let mut flow =
             Self { control, active, lines, next: 0, furthest: 0, executed: 0, variables, frames: Vec::new() };
         let body = 0..flow.end_of_program(0);
@@ -275,7 +279,9 @@ impl Flow {
             && name[1..]
                 .parse::<u32>()
                 .is_ok_and(|number| number >= if self.control == LinuxCnc { 5000 } else { 1000 });
-        if system {
+        let of_cycles = self.control == Control::Heidenhain
+            && name.strip_prefix('Q').and_then(|number| number.parse::<u32>().ok()).is_some_and(|number| number >= 100);
+        if system || of_cycles {
             return wrong("a variable of the control");
         }
         self.variables.set(self.control, name, value);

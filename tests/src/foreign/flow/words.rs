@@ -139,8 +139,9 @@ fn heidenhain(flow: &mut Flow, at: usize) -> Result<String, Fault> {
             && let Some((name, value)) = piece.split_once('=')
             && is_parameter(name)
         {
-            let value = flow.value(value);
-            flow.assign(name, value)?;
+            // A definition sets the parameters of its cycle; an assignment to them is refused.
+            let value = flow.value(value).ok();
+            flow.variables.set(flow.control, name, value);
         }
     }
     Ok(if any { changed } else { text })
