@@ -180,16 +180,14 @@ impl Rules<'_> {
                     "machine coordinates are programmed before length compensation is switched off".to_owned(),
                 )
             });
-        let found = self
-            .everywhere(state, Side::None, context)
+        self.everywhere(state, Side::None, context)
             .or_else(|| inverse_time(state))
             .map(StateFault::from)
             .or(tip_control)
             .or_else(|| moved_zero(state).or_else(|| tilted(state).filter(|_| !tilts)).map(StateFault::from))
             .or(length)
             .or_else(|| in_each_order(block, |state| spindle(state, spindle_on)))
-            .or_else(|| in_each_order(block, |state| coolant(state, 0).filter(|_| context.dry).map(StateFault::from)));
-        found
+            .or_else(|| in_each_order(block, |state| coolant(state, 0).filter(|_| context.dry).map(StateFault::from)))
     }
 
     /// Rotary axes to their parking positions. `last`: the state of the last motion, whose work offset is in force.

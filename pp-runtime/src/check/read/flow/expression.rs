@@ -25,6 +25,8 @@ pub(super) struct Expression<'e, 'a> {
     single: bool,
 }
 
+type Relation = fn(f64, f64) -> bool;
+
 /// Deepest nesting of brackets.
 const DEEPEST: u8 = 32;
 
@@ -56,13 +58,13 @@ impl<'e, 'a> Expression<'e, 'a> {
     /// Whether AND and OR make the same of the part that has been read on all controls of its form: Fanuc and Haas combine
     /// bits, before they add; LinuxCNC what is true, after it has compared.
     fn is_alike(&self, value: Value) -> bool {
-        let is_logical = |value: f64| value == 0.0 || value == 1.0;
+        let is_logical = |value: f64| value.abs() < EQUAL || (value - 1.0).abs() < EQUAL;
         self.variables.form() != Form::Letters || self.single && value.is_none_or(is_logical)
     }
 
     fn comparison(&mut self) -> Parsed {
         let one = self.sum()?;
-        let relations: [(&[&str], fn(f64, f64) -> bool); 6] = [
+        let relations: [(&[&str], Relation); 6] = [
             (&["EQU", "EQ", "=="], |a, b| (a - b).abs() < EQUAL),
             (&["NE", "<>"], |a, b| (a - b).abs() >= EQUAL),
             (&["GE", ">="], |a, b| a > b - EQUAL),

@@ -83,7 +83,7 @@ fn word(line: &mut Line<'_>) -> bool {
         (None, b"M") => {
             let known = line.code(b'M', number, start);
             // M140 has no distance but MB MAX.
-            let ends_at_limit = number.value == 140.0;
+            let ends_at_limit = (number.value - 140.0).abs() < 0.5;
             return known && (!ends_at_limit || line.at.words("MB MAX") && !line.words.has(Address::Feed));
         }
         (None, _) => return false,

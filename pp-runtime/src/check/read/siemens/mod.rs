@@ -166,11 +166,7 @@ fn keyword(line: &mut Line<'_>, calls: &mut Calls) -> bool {
             line.word(name, (address, 0), (number, Counts::AsInForce), start);
             return !turns || whole(number).is_some();
         }
-        Means::Statement(Statement::ModalCall) => {
-            if std::mem::replace(&mut calls.modal, true) {
-                return false;
-            }
-        }
+        Means::Statement(Statement::ModalCall) if !std::mem::replace(&mut calls.modal, true) => {}
         Means::Statement(_) => return false,
         _ => {}
     }
