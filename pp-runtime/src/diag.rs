@@ -58,25 +58,30 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// Text with every number and every quoted word replaced: equal for diagnostics of one kind.
     pub(crate) fn kind(&self) -> String {
-        let mut kind = String::new();
-        for (index, piece) in self.text.split('`').enumerate() {
-            if index % 2 == 1 {
-                kind.push('…');
-                continue;
-            }
-            let mut in_number = false;
-            for character in piece.chars() {
-                let belongs = character.is_ascii_digit() || (in_number && character == '.');
-                match (in_number, belongs) {
-                    (false, true) => kind.push('#'),
-                    (_, false) => kind.push(character),
-                    (true, true) => {}
-                }
-                in_number = belongs;
-            }
-        }
-        kind
+        without_numbers(&self.text, |_| "…")
     }
+}
+
+/// A text with every number replaced, and what is quoted in it as `quoted` has it.
+pub(crate) fn without_numbers(text: &str, quoted: impl Fn(&str) -> &str) -> String {
+    let mut kind = String::new();
+    for (index, piece) in text.split('`').enumerate() {
+        if index % 2 == 1 {
+            kind.push_str(quoted(piece));
+            continue;
+        }
+        let mut in_number = false;
+        for character in piece.chars() {
+            let belongs = character.is_ascii_digit() || (in_number && character == '.');
+            match (in_number, belongs) {
+                (false, true) => kind.push('#'),
+                (_, false) => kind.push(character),
+                (true, true) => {}
+            }
+            in_number = belongs;
+        }
+    }
+    kind
 }
 
 /// Diagnostics in the order found. The first [`LISTED_OF_A_KIND`] of a kind are listed, further ones are counted: a

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity, grouped};
+use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity, grouped, without_numbers};
 use crate::kinematics::math::larger;
 use crate::program::Location;
 
@@ -165,20 +165,6 @@ pub(super) struct Shown<'t> {
     pub(crate) text: &'t [u8],
 }
 
-/// A cause without its numbers; what it quotes stays.
-fn without_numbers(cause: &str) -> String {
-    let is_number = |letter: char| letter.is_ascii_digit() || letter == '.';
-    let mut kind = String::new();
-    for (index, piece) in cause.split('`').enumerate() {
-        if index % 2 == 1 {
-            kind.push_str(piece);
-        } else {
-            kind.extend(piece.chars().filter(|letter| !is_number(*letter)));
-        }
-    }
-    kind
-}
-
 /// Figures and findings while a program is compared.
 #[derive(Debug, Default)]
 pub(super) struct Tally {
@@ -288,7 +274,7 @@ impl Tally {
     /// carry out.
     #[cold]
     pub(super) fn found(&mut self, at: Location, shown: Shown<'_>, cause: &str) {
-        self.found_in_run(at, shown, cause, without_numbers(cause));
+        self.found_in_run(at, shown, cause, without_numbers(cause, |quoted| quoted));
     }
 
     fn found_in_run(&mut self, at: Location, shown: Shown<'_>, cause: &str, kind: String) {

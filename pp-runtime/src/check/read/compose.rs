@@ -1,7 +1,7 @@
 //! Words and codes of a line into orders: each code takes the words of its row, the motion takes the rest, and what is left is a
 //! fault at its column.
 //!
-//! | word | beside | means |
+//! | word | with | means |
 //! |---|---|---|
 //! | P, X | G4 | a dwell: seconds on LinuxCNC, milliseconds on Fanuc and Haas where it has no point |
 //! | F, S | G4 on Siemens | a dwell in seconds, in revolutions of the spindle |
@@ -20,7 +20,7 @@
 use super::block::{OwnPlace, PathMode, Smoothing, WorkOffset, coolant};
 use super::facts::Form;
 use super::frames;
-use super::language::{Address, Letters, Means, PathCode, Pattern, Plane, Row, Smoother, group};
+use super::language::{Address, Letters, Means, PathCode, Pattern, Plane, Row, Smoother, group, has_letter};
 use super::line::Line;
 use super::orders::{Act, ArcWords, AxisWords, CannedWords, Code, LengthCode, Mode, Motion, TiltCode};
 use super::own::OwnText;
@@ -103,7 +103,7 @@ impl Line<'_> {
             codes.iter().filter(|coded| coded.row.alone && !(coded.row.means == Means::Rigid && begins_hole));
         let of_codes = of_codes.map(|coded| (coded.column, coded.row.takes));
         let found = of_codes.chain(self.words.calls.iter().map(|column| (*column, 0))).find(|(_, takes)| {
-            let taken = |word: &Word| word.letter.is_some_and(|letter| takes & (1 << (letter - b'A')) != 0);
+            let taken = |word: &Word| word.letter.is_some_and(|letter| has_letter(*takes, letter));
             acting > 1 || self.words.left().iter().any(|word| !taken(word))
         });
         if let Some((column, _)) = found {
@@ -113,7 +113,7 @@ impl Line<'_> {
 
     /// Words that a code needs.
     fn needed(&mut self, coded: &Coded) {
-        for letter in ('A'..='Z').filter(|letter| coded.row.needs & (1 << (*letter as u8 - b'A')) != 0) {
+        for letter in ('A'..='Z').filter(|letter| has_letter(coded.row.needs, *letter as u8)) {
             if !self.words.left().iter().any(|word| word.letter == Some(letter as u8)) {
                 self.fault(coded.column, format!("{letter} is missing: a code of this block needs it"));
             }
@@ -413,7 +413,7 @@ impl Line<'_> {
         }
     }
 
-    /// What a tool word needs beside it, and what may not be in its block.
+    /// What a tool word needs, and what may not be in its block.
     fn tool_words(&mut self) {
         let tool = self.orders.has(|mode| matches!(mode, Mode::Tool(_)));
         let change = self.orders.has(|mode| *mode == Mode::Change);
@@ -558,7 +558,7 @@ impl Line<'_> {
     fn arc(&mut self, takes: Letters) -> ArcWords {
         let mut arc = ArcWords::default();
         let of_letters = self.facts().form == Form::Letters;
-        let taken = |letter: Option<u8>| letter.is_some_and(|letter| takes & (1 << (letter - b'A')) != 0);
+        let taken = |letter: Option<u8>| letter.is_some_and(|letter| has_letter(takes, letter));
         while let Some(word) =
             self.words.take_if(|word| word.address == Address::Centre && (!of_letters || taken(word.letter)))
         {

@@ -118,8 +118,8 @@ impl<P: Pieces> Lines<P> {
     }
 
     /// Place of the first line that suits among those that are kept.
-    pub(super) fn find_kept(&self, mut suits: impl FnMut(&[u8]) -> bool) -> io::Result<Option<usize>> {
-        Ok(self.kept.iter().position(|(text, _)| suits(text)))
+    pub(super) fn find_kept(&self, mut suits: impl FnMut(&[u8]) -> bool) -> Option<usize> {
+        self.kept.iter().position(|(text, _)| suits(text))
     }
 
     /// Goes to a line that is kept.

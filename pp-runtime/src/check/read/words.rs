@@ -1,6 +1,6 @@
 //! Words and codes of one line, each of which is taken once.
 
-use super::language::{Address, Letters, Row};
+use super::language::{Address, Letters, Row, has_letter};
 use super::text::Number;
 
 /// How the value of a word counts.
@@ -86,7 +86,7 @@ impl Words {
 
     /// Takes the word of a letter, if it is among those that a code takes.
     pub(super) fn take_letter(&mut self, letter: u8, takes: Letters) -> Option<Word> {
-        if takes & (1 << (letter - b'A')) == 0 { None } else { self.take_if(|word| word.letter == Some(letter)) }
+        if has_letter(takes, letter) { self.take_if(|word| word.letter == Some(letter)) } else { None }
     }
 
     /// Takes the first word that suits.

@@ -99,7 +99,7 @@ impl Rules<'_> {
             .or_else(|| if offset_path { self.radius_register(state, required) } else { None })
             .or_else(|| if offset_path { self.radius_delta(state, required).map(StateFault::from) } else { None })
             .or_else(|| in_each_order(block, |state| spindle(state, self.spindle_in_cut(required))))
-            .or_else(|| in_each_order(block, |state| coolant(state, required.coolant).map(StateFault::from)))
+            .or_else(|| in_each_order(block, |state| coolant(state, required.coolant)))
     }
 
     /// Whether the state of a cut is right or wrong whatever block has it.
@@ -134,7 +134,7 @@ impl Rules<'_> {
                 }
             })
             .or_else(|| in_each_order(block, |state| spindle(state, self.spindle_in_cut(required))))
-            .or_else(|| in_each_order(block, |state| coolant(state, 0).filter(|_| context.dry).map(StateFault::from)));
+            .or_else(|| if context.dry { in_each_order(block, |state| coolant(state, 0)) } else { None });
         self.tool_first(found, state, required)
     }
 
@@ -152,7 +152,7 @@ impl Rules<'_> {
             .or_else(|| self.frame(block, FrameUse::AsMeant))
             .map(StateFault::from)
             .or_else(|| required.and_then(|required| self.offsets(state, required, true)))
-            .or_else(|| in_each_order(block, |state| coolant(state, 0).filter(|_| context.dry).map(StateFault::from)));
+            .or_else(|| if context.dry { in_each_order(block, |state| coolant(state, 0)) } else { None });
         match required {
             Some(required) => self.tool_first(found, state, required),
             None => found,
@@ -187,7 +187,7 @@ impl Rules<'_> {
             .or_else(|| moved_zero(state).or_else(|| tilted(state).filter(|_| !tilts)).map(StateFault::from))
             .or(length)
             .or_else(|| in_each_order(block, |state| spindle(state, spindle_on)))
-            .or_else(|| in_each_order(block, |state| coolant(state, 0).filter(|_| context.dry).map(StateFault::from)))
+            .or_else(|| if context.dry { in_each_order(block, |state| coolant(state, 0)) } else { None })
     }
 
     /// Rotary axes to their parking positions. `last`: the state of the last motion, whose work offset is in force.
@@ -200,15 +200,11 @@ impl Rules<'_> {
         // A work offset that tip control may have cancelled may be in force as well.
         let work_offset = block.state.work_offset.or(block.state.cancelled_offset);
         let state = &State { work_offset, ..block.state };
-        let found = self
-            .everywhere(state, Side::None, context)
+        self.everywhere(state, Side::None, context)
             .or_else(|| self.frame(block, FrameUse::Without))
             .map(StateFault::from)
             .or_else(|| last.and_then(|last| self.offsets(state, last, false)))
-            .or_else(|| {
-                in_each_order(block, |state| spindle(state, None).or_else(|| coolant(state, 0).map(StateFault::from)))
-            });
-        found
+            .or_else(|| still_on(block))
     }
 
     /// Whether the spindle is in a state.
@@ -443,9 +439,12 @@ impl StateFault {
 
 /// At a stop with a retract, and at the end code.
 pub(crate) fn fault_at_end(block: &Block) -> Option<StateFault> {
-    let process =
-        in_each_order(block, |state| spindle(state, None).or_else(|| coolant(state, 0).map(StateFault::from)));
-    process.or_else(|| tilted(&block.state).or_else(|| moved_zero(&block.state)).map(StateFault::from))
+    still_on(block).or_else(|| tilted(&block.state).or_else(|| moved_zero(&block.state)).map(StateFault::from))
+}
+
+/// Spindle or coolant where both must be off.
+fn still_on(block: &Block) -> Option<StateFault> {
+    in_each_order(block, |state| spindle(state, None).or_else(|| coolant(state, 0)))
 }
 
 /// What is wrong with a state in which a block moves, whether its functions act before its motion or after it.
@@ -490,13 +489,14 @@ fn spindle(state: &State, required: Option<SpindleState>) -> Option<StateFault> 
     }
 }
 
-fn coolant(state: &State, required: u8) -> Option<String> {
-    match state.coolant {
-        Some(on) if on == required => None,
-        Some(_) if required == 0 => Some("coolant is on, expected off".to_owned()),
-        None => Some("coolant state is unknown: neither on nor off has been programmed before this block".to_owned()),
-        Some(_) => Some("coolant differs from that of the CL data (COOLNT)".to_owned()),
-    }
+fn coolant(state: &State, required: u8) -> Option<StateFault> {
+    let text = match state.coolant {
+        Some(on) if on == required => return None,
+        Some(_) if required == 0 => "coolant is on, expected off",
+        None => "coolant state is unknown: neither on nor off has been programmed before this block",
+        Some(_) => "coolant differs from that of the CL data (COOLNT)",
+    };
+    Some(text.into())
 }
 
 /// A tool in a message.

@@ -588,7 +588,7 @@ impl Flow {
     /// The end of a subprogram: it runs again, or its caller goes on.
     fn leave(&mut self, text: &str) -> Result<(), Fault> {
         if self.frames.len() == 1 {
-            // The end of a subprogram that nobody has called.
+            // The end of a subprogram that has not been called.
             return if self.control == Heidenhain { Ok(()) } else { wrong("a return without a call") };
         }
         let result = if self.control == LinuxCnc && !text.is_empty() { Some(self.value(text)?) } else { None };

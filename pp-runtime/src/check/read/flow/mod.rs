@@ -3,7 +3,7 @@
 //!
 //! A statement is carried out here, and a block comes out with numbers in the place of its expressions. What depends on a
 //! value that the program does not state (a measured length, the clock) is left to the families, which know guards and
-//! refuse the rest. Lines are kept from the first statement on, so that a program without statements needs no memory for them.
+//! refuse the rest.
 
 mod expression;
 mod statement;
@@ -153,11 +153,14 @@ impl Flow {
             | Statement::Until(value, _)
             | Statement::Repeat(value, _) => value.is_none(),
             Statement::For(_, from, to, _) => from.is_none() || to.is_none(),
-            Statement::EndIf(label) => {
-                !matches!(self.frames.last(), Some(Frame { kind: FrameKind::If, label: of, .. }) if of == label)
-            }
+            Statement::EndIf(label) => !matches!(self.innermost(label), Some(FrameKind::If)),
             _ => false,
         }
+    }
+
+    /// The innermost construct, if it has this label.
+    fn innermost(&self, label: &Label) -> Option<&FrameKind> {
+        self.frames.last().filter(|frame| frame.label == *label).map(|frame| &frame.kind)
     }
 
     fn execute<P: Pieces>(&mut self, statement: Statement, place: usize, lines: &mut Lines<P>) -> io::Result<Taken> {
@@ -192,19 +195,21 @@ impl Flow {
                 };
             }
             Statement::Else(label) => {
-                if !matches!(self.frames.pop(), Some(Frame { kind: FrameKind::If, label: of, .. }) if of == label) {
+                let ends = matches!(self.innermost(&label), Some(FrameKind::If));
+                self.frames.pop();
+                if !ends {
                     return Ok(Taken::Refused("ELSE without its condition".to_owned()));
                 }
                 return self.skip_to_end(lines, next, &label);
             }
             Statement::EndIf(_) => _ = self.frames.pop(),
             Statement::Do(label) => return Ok(self.push(label, FrameKind::Do, next)),
-            Statement::Until(condition, label) => return Ok(self.end_of_do(&label, condition == Some(0.0), lines)),
+            Statement::Until(condition, label) => {
+                return Ok(self.end_of_round(&label, Some(condition == Some(0.0)), lines));
+            }
             Statement::While(condition, label) => {
-                let ends =
-                    matches!(self.frames.last(), Some(Frame { kind: FrameKind::Do, label: of, .. }) if *of == label);
-                if ends {
-                    return Ok(self.end_of_do(&label, condition != Some(0.0), lines));
+                if matches!(self.innermost(&label), Some(FrameKind::Do)) {
+                    return Ok(self.end_of_round(&label, Some(condition != Some(0.0)), lines));
                 }
                 if condition == Some(0.0) {
                     return self.skip_to_end(lines, next, &label);
@@ -226,7 +231,7 @@ impl Flow {
                 }
                 return Ok(self.push(label, FrameKind::For(variable, to), next));
             }
-            Statement::EndLoop(label) => return Ok(self.end_of_round(&label, lines)),
+            Statement::EndLoop(label) => return Ok(self.end_of_round(&label, None, lines)),
             Statement::Jump(condition, label) => {
                 if condition != Some(0.0) {
                     return self.jump(&label, next, lines);
@@ -300,49 +305,34 @@ impl Flow {
         })
     }
 
-    /// The end of a loop.
-    fn end_of_round<P>(&mut self, label: &Label, lines: &mut Lines<P>) -> Taken
-    where
-        P: Pieces,
-    {
+    /// The end of a loop: another round, or what follows. `again`: what its condition says, if that is at its end.
+    fn end_of_round<P: Pieces>(&mut self, label: &Label, again: Option<bool>, lines: &mut Lines<P>) -> Taken {
         let Some(frame) = self.frames.last_mut().filter(|frame| frame.label == *label) else {
             return Taken::Refused("the end of a loop that has not begun".to_owned());
         };
         let place = frame.place;
-        let again = match &mut frame.kind {
-            FrameKind::While => {
+        let again = match (&mut frame.kind, again) {
+            (FrameKind::Do, Some(again)) => again,
+            (FrameKind::While, None) => {
                 self.frames.pop();
                 true
             }
-            FrameKind::Repeat(left) => match left.checked_sub(1) {
+            (FrameKind::Repeat(left), None) => match left.checked_sub(1) {
                 Some(fewer) => {
                     *left = fewer;
                     true
                 }
                 None => false,
             },
-            FrameKind::For(variable, to) => {
+            (FrameKind::For(variable, to), None) => {
                 let value = self.variables.value(variable).map(|value| value + 1.0);
                 let again = value.is_some_and(|value| value <= *to);
                 self.variables.set(variable.clone(), value);
                 again
             }
-            FrameKind::If | FrameKind::Do | FrameKind::Call { .. } | FrameKind::Section(_) => {
+            _ => {
                 return Taken::Refused("the end of a loop within another construct".to_owned());
             }
-        };
-        if again {
-            return self.lead(lines, place);
-        }
-        self.frames.pop();
-        Taken::Done
-    }
-
-    /// The end of a loop whose condition is there: another round, or what follows.
-    fn end_of_do<P: Pieces>(&mut self, label: &Label, again: bool, lines: &mut Lines<P>) -> Taken {
-        let begun = self.frames.last().filter(|frame| matches!(frame.kind, FrameKind::Do) && frame.label == *label);
-        let Some(place) = begun.map(|frame| frame.place) else {
-            return Taken::Refused("the end of a loop that has not begun".to_owned());
         };
         if again {
             return self.lead(lines, place);
@@ -367,7 +357,7 @@ impl Flow {
         let after = lines.find(from, |line| has_label(line, label, form))?;
         match after {
             Some(place) => Ok(Some(place)),
-            None => lines.find_kept(|line| has_label(line, label, form)),
+            None => Ok(lines.find_kept(|line| has_label(line, label, form))),
         }
     }
 
@@ -404,7 +394,7 @@ impl Flow {
             Form::Letters => parse(line, variables) == Some(Statement::Sub(label.clone())),
             Form::Keywords | Form::Statements => has_label(line, &label, form),
         };
-        let place = match lines.find_kept(|line| is_sub(line, &self.variables))? {
+        let place = match lines.find_kept(|line| is_sub(line, &self.variables)) {
             Some(place) => Some(place),
             None => lines.find(back, |line| is_sub(line, &self.variables))?,
         };
@@ -489,7 +479,7 @@ impl Flow {
         };
         *left = fewer;
         let form = self.form;
-        Ok(match lines.find_kept(|line| has_label(line, &label, form))? {
+        Ok(match lines.find_kept(|line| has_label(line, &label, form)) {
             Some(start) if start < place => self.lead(lines, start + 1),
             _ => Taken::Refused("the label of this section is not before it".to_owned()),
         })

@@ -56,7 +56,7 @@ pub(super) fn close(
     }
 }
 
-/// Adds a word that the pole stands for.
+/// Adds a word of the pole.
 fn add(line: &mut Line<'_>, address: (Address, usize), value: f64) {
     let number = Number { value, point: true, negative: value < 0.0 };
     line.word(b"CC", address, (number, Counts::Absolute), 0);

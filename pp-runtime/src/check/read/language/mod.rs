@@ -209,6 +209,11 @@ impl Family {
     }
 }
 
+/// Whether a letter is among them.
+pub(super) const fn has_letter(letters: Letters, letter: u8) -> bool {
+    letters & (1 << (letter - b'A')) != 0
+}
+
 /// Letters of a text as bits.
 pub(super) const fn letters(text: &str) -> Letters {
     let bytes = text.as_bytes();
