@@ -28,6 +28,11 @@ pub(super) struct LineKind {
     pub(crate) misnumbered: bool,
 }
 
+/// What a kept line takes.
+fn bytes(line: &[u8]) -> usize {
+    line.len() + size_of::<(Vec<u8>, LineKind)>()
+}
+
 /// The lines of a program.
 #[derive(Debug)]
 pub(super) struct Lines<P> {
@@ -47,6 +52,9 @@ pub(super) struct Lines<P> {
     keeps: bool,
     /// What the kept lines take, bytes.
     kept_bytes: usize,
+    /// Lines of subprograms that come before their calls: the first so many stay kept, and what they take, bytes.
+    pinned: usize,
+    pinned_bytes: usize,
 }
 
 impl<P: Pieces> Lines<P> {
@@ -62,6 +70,8 @@ impl<P: Pieces> Lines<P> {
             next: 0,
             keeps: false,
             kept_bytes: 0,
+            pinned: 0,
+            pinned_bytes: 0,
         }
     }
 
@@ -90,21 +100,29 @@ impl<P: Pieces> Lines<P> {
         if !self.keeps {
             self.keeps = true;
             self.push(line.to_vec(), kind);
-            self.next = 1;
+            self.next = self.kept.len();
         }
         self.next - 1
     }
 
     fn push(&mut self, line: Vec<u8>, kind: LineKind) {
-        self.kept_bytes += line.capacity() + size_of::<(Vec<u8>, LineKind)>();
+        self.kept_bytes += bytes(&line);
         self.kept.push((line, kind));
     }
 
     /// Nothing leads back to the lines that are kept, unless they are near.
     pub(super) fn forget_far(&mut self) {
-        if self.kept_bytes > FARTHEST_BACK && self.next == self.kept.len() {
-            (self.kept, self.next, self.keeps, self.kept_bytes) = (Vec::new(), 0, false, 0);
+        if self.kept_bytes - self.pinned_bytes > FARTHEST_BACK && self.next == self.kept.len() {
+            self.kept.truncate(self.pinned);
+            self.kept.shrink_to_fit();
+            (self.next, self.keeps, self.kept_bytes) = (self.pinned, false, self.pinned_bytes);
         }
+    }
+
+    /// The lines up to a place stay kept: a call that comes later leads to them.
+    pub(super) fn pin(&mut self, place: usize) {
+        self.pinned = place + 1;
+        self.pinned_bytes = self.kept[..self.pinned].iter().map(|(line, _)| bytes(line)).sum();
     }
 
     /// Whether more is kept than any loop has.

@@ -243,7 +243,10 @@ impl Flow {
                     parse(line, variables) == Some(Statement::EndSub(label.clone()))
                 };
                 match lines.find(next, |line| ends(line, &self.variables))? {
-                    Some(at) => lines.go_to(at + 1),
+                    Some(at) => {
+                        lines.pin(at);
+                        lines.go_to(at + 1);
+                    }
                     None => return Ok(Taken::Refused("the end of this subprogram is not in the program".to_owned())),
                 }
             }

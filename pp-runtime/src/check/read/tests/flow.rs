@@ -69,6 +69,14 @@ fn values_of_linuxcnc_are_executed() {
 }
 
 #[test]
+fn a_subprogram_is_called_from_far_behind_its_definition() {
+    let far = format!("({})\n", "A".repeat(50_000)).repeat(4);
+    let text = |calls: &str| format!("{LINUXCNC}o1 sub\nG0 X#1 Y0 Z0\no1 endsub\n#5=1\n{far}{calls}M2\n");
+    let twice = text(&format!("o1 call [3]\n{far}#5=2\n{far}o1 call [4]\n"));
+    same(Family::LinuxCnc, &twice, &format!("{LINUXCNC}G0 X3 Y0 Z0\nG0 X4 Y0 Z0\nM2\n"));
+}
+
+#[test]
 fn values_of_siemens_are_executed() {
     let same = |text: &str, written_out: &str| {
         same(Family::Siemens, &format!("{SIEMENS}{text}M30\n"), &format!("{SIEMENS}{written_out}M30\n"));
