@@ -182,7 +182,7 @@ impl Comparison<'_> {
             }
             let (arrival, words) = (self.progress.arrival(here, chords), &self.previous.words);
             let share = self.rules.share_done(&part.segment, rapid, block, (words, end), &arrival);
-            if let Some(share) = share.or_else(|| if in_hole { self.stops_over_hole(&part, end) } else { None }) {
+            if let Some(share) = share.or_else(|| if in_hole { self.share_over_hole(&part, end) } else { None }) {
                 part.share = share;
                 self.travelled(cutting, current, end, &part);
                 return Ok(true);
@@ -219,11 +219,16 @@ impl Comparison<'_> {
         !block.action.is_feed() || fault().is_none()
     }
 
-    /// A rapid down to a hole may stop on its way: a cycle of the control returns to where it began.
-    fn stops_over_hole(&self, Part { segment, rapid, .. }: &Part, end: &ToolPose) -> Option<f64> {
+    /// Share of a rapid on the axis of a hole that a block has done, as far as it is on that axis: it may stop on its way down,
+    /// because a cycle of the control returns to where it began. Words along one axis follow the axis that the machine has:
+    /// over a length they leave that of the hole by as much as it leans.
+    fn share_over_hole(&self, Part { segment, rapid, .. }: &Part, end: &ToolPose) -> Option<f64> {
         let rounding = self.rules.rounding();
-        let near = *rapid && segment.distance(end, 0.0) <= BOTH * rounding.tip_mm;
-        (near && segment.axis_arc().distance(&end.axis) <= BOTH * rounding.axis_rad).then_some(0.0)
+        let leans_rad = segment.axis_arc().distance(&end.axis);
+        let off_mm = BOTH * rounding.tip_mm + leans_rad * segment.length();
+        let near = *rapid && leans_rad <= BOTH * rounding.axis_rad && segment.distance(end, 0.0) <= off_mm;
+        let ends = (end.tip - segment.to.tip).norm() <= off_mm;
+        near.then_some(if ends { 1.0 } else { 0.0 })
     }
 
     /// A block that carries out a part of a motion: its state, its path, its feed.
@@ -787,6 +792,7 @@ impl Comparison<'_> {
             .is_some_and(|(_, motion)| self.rules.is_at(end, &motion.to));
         let lifts = over && (at(hole.return_mm) && !asked || !next.rapid && at(hole.clearance_mm));
         if lifts {
+            self.pass_over_hole(cutting.here.as_ref(), number);
             self.compare_state(current, &required);
             if current.block.action.is_rapid() {
                 if self.rotates(current.block) {
@@ -809,6 +815,16 @@ impl Comparison<'_> {
             }
         }
         lifts
+    }
+
+    /// Passes motions to a place over a hole that need no block from where the tool was; the last rapid leads down to it.
+    fn pass_over_hole(&mut self, here: Option<&ToolPose>, number: u64) {
+        let leads_on = |item: &ExpectedItem| {
+            item.hole.as_ref().is_some_and(|of| of.number == number) && item.motion().is_some_and(|motion| motion.rapid)
+        };
+        while self.is_needless(0, here) && self.progress.get(1).is_some_and(leads_on) {
+            self.progress.pass();
+        }
     }
 
     /// A hole by a cycle of the control.

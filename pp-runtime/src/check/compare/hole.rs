@@ -216,8 +216,9 @@ impl CycleComparison<'_> {
         // A motion down along the axis alone comes from where the tool was.
         let lowest = if across <= rounding.unit_mm { height(over)? } else { height(over)?.min(height(from)?) };
         let below = self.hole.clearance_mm - lowest;
-        // The tool axis is rounded, too.
-        (below > 2.0 * rounding.tip_mm + across * rounding.axis_rad)
+        // The tool axis is rounded, too, and the words across it keep the level of a plane that leans with the cycle.
+        let leans_mm = (across * self.lean()?).min(self.tolerance_mm);
+        (below > 2.0 * rounding.tip_mm + across * rounding.axis_rad + leans_mm)
             .then(|| format!("the tool moves over this hole {below:.4} mm below its clearance level"))
     }
 

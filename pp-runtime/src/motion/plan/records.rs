@@ -315,6 +315,10 @@ impl<S: Sink> Records<'_, '_, S> {
     /// GOHOME without a point: the machine retract, then the parking position where one is configured.
     fn go_home(&mut self) -> Planned {
         self.leave()?;
+        if self.planner.mover.restarts() > 0 {
+            // After a stop, or a line of the shop, it is unknown.
+            self.planner.stop_coolant()?;
+        }
         self.planner.mover.machine_retract()?;
         if !self.planner.policy.options.park.is_empty() {
             self.planner.spindle.stop(self.planner.mover.output_mut())?;
