@@ -420,11 +420,12 @@ impl ShopBlocks {
     /// Whether blocks of the shop may select modal functions that the control's own blocks leave alone.
     #[must_use]
     pub fn selects_modes(&self) -> bool {
-        self.own_safety
-            || self
-                .lines
-                .iter()
-                .any(|line| matches!(line.place, OwnPlace::Start | OwnPlace::ToolChange | OwnPlace::OperationStart))
+        let idle = |text: &str| self.effects.iter().any(|(word, effect)| word == text && *effect == Effect::None);
+        let selects = |line: &ShopLine| {
+            matches!(line.place, OwnPlace::Start | OwnPlace::ToolChange | OwnPlace::OperationStart)
+                && !(idle(&line.text) || line.text.split_whitespace().all(idle))
+        };
+        self.own_safety || self.lines.iter().any(selects)
     }
 }
 

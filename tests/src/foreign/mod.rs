@@ -329,12 +329,16 @@ impl Run<'_> {
                     }
                     command => command?,
                 };
+                let meanings = command.meanings.clone();
                 let (effect, words) = self.machine.execute(command)?;
                 let restart = match control {
                     Control::Heidenhain => text.ends_with(" M129"),
                     _ => number.is_some(),
                 };
                 self.push(line, number, effect, words, restart);
+                if effect.moves() && self.machine.at_end(&meanings) {
+                    self.push(line, None, Effect::Modal, Axes::default(), false);
+                }
                 if effect == Effect::End {
                     self.ended = Ended::Code;
                 }

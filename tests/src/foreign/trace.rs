@@ -138,6 +138,8 @@ pub struct Hole {
     pub back_to: f64,
     /// How the tool comes over the hole.
     pub approach: MotionMode,
+    /// Level at which it does, where that is known.
+    pub over: Option<f64>,
 }
 
 /// An F with its mode.

@@ -873,9 +873,21 @@ impl Comparison<'_> {
         }
         self.fill_for_approach(current)?;
         // A stop that is lost is reported where the cut goes on.
-        if let Some(required) = self.tool_of_next_motion().filter(|required| *required != tool) {
-            let (tool, required) = (tool_name(tool), tool_name(required));
-            self.found(current, &format!("change to {tool}, but the CL data requires {required}"));
+        let of_shop = current.block.own.is_some();
+        match self.tool_of_next_motion() {
+            Some(required) if required != tool => {
+                let (tool, required) = (tool_name(tool), tool_name(required));
+                self.found(current, &format!("change to {tool}, but the CL data requires {required}"));
+            }
+            // The last tool stays in the spindle.
+            None if !of_shop && self.progress.last().is_some_and(|last| last.tool != tool) => {
+                let tool = tool_name(tool);
+                self.found(
+                    current,
+                    &format!("change to {tool} after the last motion, which the CL data does not ask for"),
+                );
+            }
+            _ => {}
         }
         if !phase.is_retracted() || !self.start.retracted {
             self.found(current, "tool change before the machine has retracted");

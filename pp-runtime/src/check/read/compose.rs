@@ -397,8 +397,8 @@ impl Line<'_> {
             self.orders.mode(Mode::Feed(number.value));
         }
         if let Some(Word { number, column, .. }) = self.words.take(Address::Speed) {
-            if number.value < 0.0 {
-                self.fault(column, "S is negative");
+            if number.value <= 0.0 {
+                self.fault(column, "S is not above 0");
             }
             self.orders.mode(Mode::Speed(number.value));
         }

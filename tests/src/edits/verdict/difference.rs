@@ -214,8 +214,12 @@ fn hole_difference(one: &Hole, other: &Hole, allowed: Allowed) -> Option<Differe
         }
         (was, is) => hard(was != is, "the kind of a hole"),
     };
+    // Below the level to which the tool comes down it goes over the part.
+    let low = |hole: &Hole| hole.over.filter(|over| *over < hole.cycle.reference - allowed.linear);
+    let over = hard(low(other).is_some() && low(one) != low(other), "the level over a hole");
     worst([
         kind,
+        over,
         compared("a reference level of", was.reference, is.reference, allowed.linear),
         compared("a bottom of", was.bottom, is.bottom, allowed.linear),
         compared("a return level of", one.back_to, other.back_to, allowed.linear),

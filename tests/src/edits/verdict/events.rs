@@ -102,7 +102,9 @@ pub(super) fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>,
 fn is_later(action: &Event<'_>, next: &Event<'_>) -> bool {
     // A guard that names its register compares the same before the tool change.
     let guards = matches!(next.block.effect, Effect::Guard { .. }) && next.block.state.guarded.is_some();
+    let again = matches!(action.block.effect, Effect::ToolChange(tool) if action.before.tool == Some(tool));
     matches!(action.block.effect, Effect::Machine | Effect::Dwell(_))
+        || again && matches!(next.block.effect, Effect::Shop(_))
         || guards && matches!(action.block.effect, Effect::ToolChange(_))
 }
 

@@ -99,6 +99,12 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     if inner(was) && inner(is) && all_agree(&was[index + 1..], &is[index + 1..]) {
         return undecided("a rapid to another point on its line");
     }
+    if let (Some(one), Some(other)) = (was.get(index..index + 2), is.get(index..index + 2))
+        && are_ends_on_one_line(one, other, allowed)
+        && all_agree(&was[index + 2..], &is[index + 2..])
+    {
+        return undecided("two ends on one line in the other order");
+    }
     if is.get(index).is_some() && is_to_and_fro(is, index, allowed) && added() {
         return undecided("a rapid to and fro on the line of another");
     }
@@ -292,6 +298,21 @@ fn is_split(whole: &Event<'_>, parts: &[Event<'_>], allowed: Allowed) -> bool {
         && parts.iter().all(level)
         && parts[0].block.words.letters().all(|letter| ends_as(&parts[0], letter))
         && whole.block.words.letters().all(|letter| ends_as(&parts[1], letter))
+}
+
+/// Whether two motions of one kind lead to the same two places on one line, in the other order.
+fn are_ends_on_one_line(was: &[Event<'_>], is: &[Event<'_>], allowed: Allowed) -> bool {
+    let [first, second] = [&was[0], &was[1]].map(|event| &event.block.state.position);
+    let ends = [&is[1], &is[0]].map(|event| &event.block.state.position);
+    let alike = was.iter().chain(is).all(|event| {
+        matches!(event.block.effect, Effect::Rapid | Effect::Feed)
+            && event.block.effect == was[0].block.effect
+            && event.block.feed() == was[0].block.feed()
+            && state_difference(event, &was[0], allowed).is_none()
+    });
+    let start = &was[0].before.position;
+    let shares = [first, second].map(|end| share_on_line(start, end, first, allowed));
+    alike && [first, second] == ends && shares.iter().all(Option::is_some)
 }
 
 /// Whether a rapid begins on the line of a rapid near it, and ends on that rapid; or a feed motion on one at the same feed.

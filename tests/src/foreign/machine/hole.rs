@@ -110,8 +110,9 @@ fn made(machine: &mut Machine, cycle: Cycle, approach: MotionMode) -> Result<Eff
         (None, None) => return Err("neither G98 nor G99 is in force".to_owned()),
     };
     let back_to = level.max(cycle.reference);
+    let over = machine.state.position.get(normal);
     machine.state.position.set(normal, back_to);
-    Ok(Effect::Hole(Hole { cycle, back_to, approach }))
+    Ok(Effect::Hole(Hole { cycle, back_to, approach, over }))
 }
 
 /// G33.1: to the bottom in step with the spindle, and back to where it began.
@@ -124,5 +125,5 @@ pub(super) fn rigid_tap(machine: &mut Machine, command: &mut Command) -> Result<
     let bottom = machine.value_of(normal, word.value, word.counting)?;
     let kind = CycleKind::Tap { pitch };
     let cycle = Cycle { kind, reference: level, bottom, back_to: Some(level), dwell_s: 0.0, feed: None, others: 0 };
-    Ok(Effect::Hole(Hole { cycle, back_to: level, approach: MotionMode::Rapid }))
+    Ok(Effect::Hole(Hole { cycle, back_to: level, approach: MotionMode::Rapid, over: Some(level) }))
 }

@@ -107,6 +107,9 @@ impl Machine {
                     Control::LinuxCnc | Control::Siemens => false,
                 };
         }
+        if !effect.moves() {
+            self.at_end(meanings);
+        }
         Ok((effect, words))
     }
 

@@ -15,11 +15,32 @@ impl Machine {
         self.feeds_and_units(meanings, command)?;
         self.tool_and_spindle(meanings, command)?;
         for &meaning in meanings {
-            self.mode(meaning, command)?;
+            if !self.is_at_end(meaning) {
+                self.mode(meaning, command)?;
+            }
         }
         self.tool_vector(command)?;
         self.forget_positions(&before, meanings);
         Ok(())
+    }
+
+    /// Obeys the codes that act at the end of their block; whether there is one.
+    pub(in super::super) fn at_end(&mut self, meanings: &[Meaning]) -> bool {
+        let late: Vec<Meaning> = meanings.iter().copied().filter(|meaning| self.is_at_end(*meaning)).collect();
+        for meaning in &late {
+            match meaning {
+                Meaning::Spindle(spindle) => self.state.spindle = Some(*spindle),
+                Meaning::CoolantOff(supply) => switch(&mut self.state, *supply, false),
+                _ => {}
+            }
+        }
+        !late.is_empty()
+    }
+
+    /// M5 and M9 of a Heidenhain control.
+    fn is_at_end(&self, meaning: Meaning) -> bool {
+        self.control == Control::Heidenhain
+            && matches!(meaning, Meaning::Spindle(Spindle::Off) | Meaning::CoolantOff(_))
     }
 
     fn feeds_and_units(&mut self, meanings: &[Meaning], command: &mut Command) -> Result<(), String> {

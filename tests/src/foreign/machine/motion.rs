@@ -13,6 +13,10 @@ impl Machine {
         let meanings = &written.meanings;
         let rigid = meanings.contains(&Meaning::RigidTap);
         self.motion_mode(meanings, command)?;
+        let elsewhere = meanings.contains(&Meaning::Home) || meanings.contains(&Meaning::MachineCoordinates);
+        if elsewhere && command.cycle.is_some() {
+            return Err("a cycle in a block of machine coordinates".to_owned());
+        }
         if meanings.contains(&Meaning::Home) {
             return self.home(command).map(Some);
         }

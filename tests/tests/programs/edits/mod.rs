@@ -176,6 +176,12 @@ fn is_message(edit: &Edit) -> bool {
     !abort && edit.before.split(" | ").chain(edit.after.split(" | ")).all(message)
 }
 
+/// Whether an edit concerns texts that the control displays: they are those of PPRINT.
+fn is_displayed(edit: &Edit) -> bool {
+    let displays = |text: &str| text.contains("(MSG,") || text.contains("MSG(");
+    is_message(edit) && (displays(&edit.before) || displays(&edit.after))
+}
+
 /// Whether an edit adds, moves or removes codes of the shop alone that are declared to have no effect.
 fn is_without_effect(edit: &Edit) -> bool {
     let rest = |text: &str| -> Vec<String> {
@@ -193,7 +199,7 @@ fn judged(posted: &Posted, edit: &Edit, tally: &mut Tally) -> Option<Failure> {
     let verdict = verdict(&subject.trace, &edited, subject.allowed);
     if matches!(verdict, Verdict::Undecided(_))
         || verdict == Verdict::Harmless && !is_harmless_for_the_careful(posted, edit)
-        || verdict == Verdict::Harmless && is_matter_of_taste(posted, edit)
+        || verdict == Verdict::Harmless && (is_matter_of_taste(posted, edit) || is_displayed(edit))
         || matches!(verdict, Verdict::Refused(_)) && (is_message(edit) || is_another_mode(edit))
         || matches!(verdict, Verdict::Harmful(_)) && is_without_effect(edit)
         || verdict == Verdict::Harmless && is_another_restart(posted, edit, &edited)

@@ -9,6 +9,67 @@ use super::expression::{Expression, Value};
 /// Largest number of variables that a program may set.
 const MOST: usize = 100_000;
 
+/// Names of LinuxCNC that no program sets, after `#<_`: predefined named parameters, LinuxCNC 2.9 G-code overview.
+const PREDEFINED: [&[u8]; 57] = [
+    b"A",
+    b"ABSOLUTE",
+    b"ABS_A",
+    b"ABS_B",
+    b"ABS_C",
+    b"ABS_U",
+    b"ABS_V",
+    b"ABS_W",
+    b"ABS_X",
+    b"ABS_Y",
+    b"ABS_Z",
+    b"ADAPTIVE_FEED",
+    b"B",
+    b"C",
+    b"CALL_LEVEL",
+    b"CCOMP",
+    b"COORD_SYSTEM",
+    b"CURRENT_POCKET",
+    b"CURRENT_TOOL",
+    b"FEED",
+    b"FEED_HOLD",
+    b"FEED_OVERRIDE",
+    b"FLOOD",
+    b"IJK_ABSOLUTE_MODE",
+    b"IMPERIAL",
+    b"INCREMENTAL",
+    b"INVERSE_TIME",
+    b"LATHE_DIAMETER_MODE",
+    b"LATHE_RADIUS_MODE",
+    b"LINE",
+    b"METRIC",
+    b"MIST",
+    b"MOTION_MODE",
+    b"PLANE",
+    b"REMAP_LEVEL",
+    b"RETRACT_OLD_Z",
+    b"RETRACT_R_PLANE",
+    b"RPM",
+    b"SELECTED_POCKET",
+    b"SELECTED_TOOL",
+    b"SPEED_OVERRIDE",
+    b"SPINDLE_CSS_MODE",
+    b"SPINDLE_CW",
+    b"SPINDLE_ON",
+    b"SPINDLE_RPM_MODE",
+    b"TASK",
+    b"TOOL_OFFSET",
+    b"U",
+    b"UNITS_PER_MINUTE",
+    b"UNITS_PER_REV",
+    b"V",
+    b"VALUE",
+    b"VALUE_RETURNED",
+    b"VMAJOR",
+    b"VMINOR",
+    b"W",
+    b"X",
+];
+
 /// A variable by its name: `#5`, `#<DEPTH>`, `R5`, `Q5`, `QL5`; blanks and case do not count.
 pub(super) type Variable = Vec<u8>;
 
@@ -117,7 +178,7 @@ impl Variables {
                 match std::str::from_utf8(digits).ok().and_then(|digits| digits.parse::<u32>().ok()) {
                     // LinuxCNC: from 5061 on; Fanuc and Haas: from 1000 on.
                     Some(number) => (1..1000).contains(&number),
-                    None => true,
+                    None => !variable.strip_prefix(b"#<_").is_some_and(|name| PREDEFINED.contains(&name)),
                 }
             }
             Form::Keywords => true,

@@ -4,7 +4,6 @@ use super::super::block::coolant;
 use super::super::orders::LengthCode;
 use super::group;
 use super::{Language, Means, Pattern, Plane, Row, Smoother, iso, sorted};
-use crate::program::Rotation;
 
 const M: &str = "Fanuc B-63944EN/02 (2004), auxiliary functions; the machine builder's list of M codes (from memory)";
 
@@ -44,8 +43,6 @@ const OWN: &[Row] = &[
         .takes("P"),
     Row::new("G84", Means::Hole(Pattern::TapAfterRigid { left: false }), group::MOTION, RIGID).needs("R").takes("P"),
     Row::new("M7", Means::CoolantOn(coolant::MIST), group::COOLANT, M),
-    Row::new("M13", Means::SpindleAndFlood(Rotation::Clockwise), group::SPINDLE, M),
-    Row::new("M14", Means::SpindleAndFlood(Rotation::CounterClockwise), group::SPINDLE, M),
     Row::new("M29", Means::Rigid, group::RIGID, RIGID).needs("S").alone(),
 ];
 
