@@ -879,6 +879,10 @@ impl Comparison<'_> {
                 let (tool, required) = (tool_name(tool), tool_name(required));
                 self.found(current, &format!("change to {tool}, but the CL data requires {required}"));
             }
+            Some(_) if !self.start.restarted => self.found(
+                current,
+                "tool change before the complete state of its operation: where the program is entered there, the tool is missing",
+            ),
             // The last tool stays in the spindle.
             None if !of_shop && self.progress.last().is_some_and(|last| last.tool != tool) => {
                 let tool = tool_name(tool);

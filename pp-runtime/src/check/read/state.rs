@@ -212,6 +212,8 @@ pub mod stated {
     pub const OFFSET: u8 = 8;
     /// Unit, plane, feed mode, distances and sides.
     pub const MODES: u8 = 16;
+    /// S.
+    pub const SPEED: u8 = 32;
 }
 
 /// What is in force; `None` where the program has not said it.

@@ -36,6 +36,21 @@ fn the_last_tool_preselects_the_first() {
 }
 
 #[test]
+fn a_tool_change_comes_after_the_complete_state_and_none_after_the_last_motion() {
+    for (control, restart, change) in
+        [("linuxcnc", "N2 ", "T2 M6\n"), ("fanuc", "N2 ", "T2 M6\n"), ("siemens", "N2 ", "T2 M6\n")]
+    {
+        let program = posted_right::<Mill>(control, Mode::Axes, "", TWO_OPERATIONS);
+        let place = program.find(restart).expect("the second operation");
+        let early = format!("{}{change}{}", &program[..place], program[place..].replacen(change, "", 1));
+        assert_told::<Mill>(control, Mode::Axes, "", TWO_OPERATIONS, &early);
+        let end = program.rfind("M5\n").expect("the spindle stops") + 3;
+        let late = format!("{}T0 M6\n{}", &program[..end], &program[end..]);
+        assert_told::<Mill>(control, Mode::Axes, "", TWO_OPERATIONS, &late);
+    }
+}
+
+#[test]
 fn a_blank_around_the_cuts_is_named_in_the_header() {
     let note = "BLANK is the box around all cuts";
     let program = posted_right::<Mill>("heidenhain", Mode::Axes, "", TWO_OPERATIONS);

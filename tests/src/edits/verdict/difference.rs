@@ -91,6 +91,7 @@ pub(super) fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> O
         _ => worst([
             effect_difference(one, other, old, allowed),
             moved(was, is, allowed),
+            hard(goes_over_low(is, allowed) && !goes_over_low(was, allowed), "the level over a hole"),
             state_difference(was, is, allowed),
         ]),
     };
@@ -174,6 +175,19 @@ fn effect_difference(one: &Effect, other: &Effect, state: &State, allowed: Allow
     }
 }
 
+/// Whether the tool goes over a hole below the level from which it goes down.
+fn goes_over_low(event: &Event<'_>, allowed: Allowed) -> bool {
+    let Effect::Hole(hole) = event.block.effect else { return false };
+    let [_, _, normal] = event.block.state.plane.unwrap_or(Plane::Xy).letters();
+    let goes = |letter| match [event.before, &event.block.state].map(|state| state.position.get(letter)) {
+        [Some(from), Some(to)] => (from - to).abs() > allowed.linear,
+        _ => true,
+    };
+    let across = LETTERS.into_iter().filter(|letter| *letter != normal && !is_rotary(*letter));
+    hole.over.is_some_and(|over| over < hole.cycle.reference - allowed.linear)
+        && across.filter(|letter| event.block.state.position.contains(*letter)).any(goes)
+}
+
 fn arc_difference(one: &Arc, other: &Arc, state: &State, allowed: Allowed) -> Option<Difference> {
     let [first, second, _] = state.plane.unwrap_or(Plane::Xy).letters();
     let from_centre = |letter: char| {
@@ -214,12 +228,8 @@ fn hole_difference(one: &Hole, other: &Hole, allowed: Allowed) -> Option<Differe
         }
         (was, is) => hard(was != is, "the kind of a hole"),
     };
-    // Below the level to which the tool comes down it goes over the part.
-    let low = |hole: &Hole| hole.over.filter(|over| *over < hole.cycle.reference - allowed.linear);
-    let over = hard(low(other).is_some() && low(one) != low(other), "the level over a hole");
     worst([
         kind,
-        over,
         compared("a reference level of", was.reference, is.reference, allowed.linear),
         compared("a bottom of", was.bottom, is.bottom, allowed.linear),
         compared("a return level of", one.back_to, other.back_to, allowed.linear),
@@ -383,9 +393,21 @@ pub(super) fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed
     let (old, new) = (&was.block.state, &is.block.state);
     let tip = (old.under_tip_control(), new.under_tip_control());
     let machine = was.block.effect == Effect::Machine;
+    // With every rotary axis at zero the words mean the same.
+    let zero = |event: &Event<'_>| {
+        let places = [&event.before.position, &event.block.state.position];
+        let still = |place: &Axes| place.iter().all(|(letter, value)| !is_rotary(letter) || value.abs() < 1e-9);
+        places.into_iter().all(still)
+    };
+    let upright = was.block.effect == Effect::Rapid && zero(was) && zero(is);
+    let differs = tip.0 != tip.1;
+    let tip_control = worst([
+        hard(differs && !upright, "tip control"),
+        soft(differs, "tip control where every rotary axis is at zero"),
+    ]);
     let frame = worst([
         hard(old.units != new.units, "the unit"),
-        hard(tip.0 != tip.1, "tip control"),
+        tip_control,
         hard(!machine && tilt_differs(old.tilted_plane(), new.tilted_plane()), "the tilted plane"),
         hard(old.dynamic_offset != new.dynamic_offset, "the dynamic work offset"),
         hard(tip.0 && old.interpolation != new.interpolation, "the interpolation of the tool axis"),

@@ -75,6 +75,10 @@ pub(super) fn command(tokens: &[Token], state: &State) -> Result<Command, String
         if name == "G" && (number.value - 4.0).abs() < 1e-9)
     });
     let modal = tokens.iter().any(|token| matches!(token, Token::Name(name) if name == "MCALL"));
+    // A subprogram is called in a block of its own: programming manual of the 840D sl, calls of subprograms.
+    if tokens.len() > 1 + usize::from(modal) && tokens.iter().any(|token| matches!(token, Token::Call { .. })) {
+        return Err("a call in a block with other words".to_owned());
+    }
     for token in tokens {
         match token {
             Token::Word { name, number, .. } if name == "F" && dwell => command.word(Address::Seconds, number.value)?,

@@ -286,7 +286,7 @@ impl Interpreter {
             self.set_modes(&orders.either, block);
             block.early = (before != self.state && !orders.acts.is_empty()).then(|| Box::new(before));
         }
-        self.state_bits(orders, block.restart);
+        self.state_bits(orders, block);
         self.code_alone(orders, &mut block.faults);
         self.act(orders, 0, block);
     }
@@ -378,8 +378,8 @@ impl Interpreter {
     }
 
     /// Records the states that the block programs explicitly.
-    fn state_bits(&mut self, orders: &Orders, restart: bool) {
-        if restart {
+    fn state_bits(&mut self, orders: &Orders, block: &mut Block) {
+        if block.restart {
             self.stated = 0;
         }
         let (mut modes, mut bits) = (0_u8, 0);
@@ -390,6 +390,7 @@ impl Interpreter {
                 Mode::Incremental(_) => modes |= 4,
                 Mode::Side(_) => modes |= 8,
                 Mode::FeedMode(_) => modes |= 16,
+                Mode::Speed(_) => bits |= stated::SPEED,
                 Mode::Spindle(_) => bits |= stated::SPINDLE,
                 Mode::CoolantOn(_) | Mode::CoolantOff(_) => bits |= stated::COOLANT,
                 Mode::Length(code, _) if *code != super::orders::LengthCode::Off => bits |= stated::LENGTH,
@@ -404,6 +405,9 @@ impl Interpreter {
             }
         }
         self.stated |= bits;
+        if self.stated & stated::SPEED == 0 && orders.has(|mode| matches!(mode, Mode::Spindle(Some(_)))) {
+            fault(&mut block.faults, 0, "the spindle starts, and no S has been programmed since the complete state");
+        }
     }
 
     /// Where words count is unknown, and so is every position.

@@ -29,8 +29,8 @@ impl Interpreter {
         let faults = &mut block.faults;
         let state = &mut self.state;
         match *mode {
-            // An operation can be entered at its complete state: F, S and the return level are not of what was before.
-            Mode::Restart => (state.feed, state.speed, state.to_initial) = (None, None, None),
+            // An operation can be entered at its complete state: F and the return level are not of what was before.
+            Mode::Restart => (state.feed, state.to_initial) = (None, None),
             Mode::Units(units) => (state.units, state.feed, state.to_initial) = (Some(units), None, None),
             Mode::FeedMode(mode) => {
                 if state.feed_mode != Some(mode) || self.facts.feed_mode_clears_feed {
@@ -78,12 +78,7 @@ impl Interpreter {
             Mode::RadiusDelta(Some(delta)) => state.radius_delta_mm = Some(delta),
             // Whether a call with S alone keeps DR is in no manual that was found.
             Mode::RadiusDelta(None) => state.radius_delta_mm = state.radius_delta_mm.filter(|delta| *delta == 0.0),
-            Mode::Spindle(rotation) => {
-                if rotation.is_some() && state.speed.is_none() {
-                    fault(faults, 0, "the spindle starts, and no S has been programmed since the complete state");
-                }
-                state.spindle = Some(rotation);
-            }
+            Mode::Spindle(rotation) => state.spindle = Some(rotation),
             Mode::CoolantOff(kinds) => {
                 // Off codes of another supply leave flood and mist unknown.
                 let known = state.coolant.or((kinds & coolant::FLOOD != 0).then_some(0));

@@ -235,7 +235,7 @@ fn thread(line: &mut Line<'_>, numbers: &Numbers) -> CycleKind {
         line.fault(0, format!("SST and SST1 are {speed} and {out}, expected S of the spindle, {wanted}"));
     }
     let unit = match numbers.get(Slot::PitchUnit) {
-        None | Some(0.0) => line.machine().unit(),
+        None => line.machine().unit(),
         Some(1.0) => 1.0,
         Some(3.0) => Units::Inches.in_mm(),
         Some(other) => {

@@ -234,6 +234,7 @@ fn every_argument_of_a_siemens_cycle_is_executed_or_must_have_its_value() {
         (thread, "500,500", "600,600", "SST"),
         (thread, "1.5,0,", "1.5,90,", "POSS"),
         (thread, ",1)", ",2)", "_PITA"),
+        (thread, ",1)", ",0)", "_PITA"),
         ("CYCLE85(25,0,2,-10,,0,100,100)", "100,100", "100,300", "RFF of CYCLE85 is 300, expected 100"),
         ("CYCLE81(25,0,2,-10)", "-10)", "-10,,3)", "arguments of CYCLE81"),
     ];

@@ -137,6 +137,7 @@ fn what_does_not_follow_from_the_program_is_refused() {
     ] {
         assert!(!faults(Family::Fanuc, &format!("{FANUC}{text}\nM30\n")).is_empty(), "{text}");
     }
+    assert!(!faults(Family::LinuxCnc, "#<_x>=5\n").is_empty() && faults(Family::LinuxCnc, "#<_depth>=5\n").is_empty());
     for text in ["G0 X=R1", "GOTOF NOWHERE", "WHILE TRUE", "R1=$AA_IW[X]\nG0 X=R1", "ELSE"] {
         assert!(!faults(Family::Siemens, &format!("{SIEMENS}{text}\nM30\n")).is_empty(), "{text}");
     }

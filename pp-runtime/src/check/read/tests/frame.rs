@@ -127,6 +127,16 @@ fn f_and_s_are_numbers_that_can_be_executed() {
     refused(Family::LinuxCnc, &["G4 P-1"], "negative");
     refused(Family::Siemens, &["G602", "G603"], "not known");
     accepted(Family::Siemens, &["G601", "G4 F1.5"]);
+    refused(Family::Haas, &["S0 M03", "G00 S0"], "S is not above 0");
+}
+
+#[test]
+fn a_spindle_starts_with_the_s_of_its_operation() {
+    let none = "no S has been programmed since the complete state";
+    let found = |text: &str| faults(Family::LinuxCnc, text).iter().filter(|fault| fault.contains(none)).count();
+    assert_eq!(found("M3\n"), 1);
+    assert_eq!(found("S900 M3\nM5\nM4\n"), 0);
+    assert_eq!(found("S900 M3\nG21 G17 G40 G49 G80 G90 G94 G54\nM3\nS900\nM3\n"), 1);
 }
 
 #[test]
