@@ -400,9 +400,17 @@ pub struct ShopBlocks {
     pub swivel_data: String,
     /// Texts of PPRINT are displayed.
     pub displays_messages: bool,
+    /// Settings and parameters of the control, by its names for them, mm.
+    pub states: Vec<(String, f64)>,
 }
 
 impl ShopBlocks {
+    /// Value of a setting or parameter of the control, mm, where it is known.
+    #[must_use]
+    pub fn state_mm(&self, name: &str) -> Option<f64> {
+        self.states.iter().find(|(state, _)| state == name).map(|(_, value)| *value)
+    }
+
     /// Whether safety blocks of the shop state the tolerance within which the control blends.
     #[must_use]
     pub fn states_blending(&self) -> bool {

@@ -274,6 +274,7 @@ impl Config {
             displays_messages: control.program.messages == Messages::Display,
             tool_names: control.tool_names,
             swivel_data: control.swivel_data.clone().unwrap_or_default(),
+            states: control.states.iter().map(|(name, value)| (name.clone(), *value)).collect(),
         }
     }
 

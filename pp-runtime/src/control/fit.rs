@@ -16,6 +16,7 @@ use super::dialects::{
 };
 use super::foreign::of_another_control;
 use super::options::{ControlFunction, Demands, RetractMethod};
+use super::states::ControlState;
 use super::template::{self, OF_TOOL};
 use crate::motion::tolerances::INDEX_STEP_NOISE;
 
@@ -368,6 +369,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         largest_inverse_time: demands.motion.feed.largest_inverse_time.unwrap_or(codes.largest_inverse_time),
         feed_per_inch: codes.feed_per_inch,
         cycles: cycle_abilities(codes, demands),
+        cycle_gaps_mm: ControlState::gaps_mm(codes.name, &demands.options.states),
         cutter_radius: cutter_radius(control, demands),
         tools_by_name: demands.options.tool_names,
         arc_planes: codes.arcs.planes.map(|plane| plane.is_some()),

@@ -9,6 +9,7 @@ use crate::motion::{OperationTable, PathNorm, Smoothing};
 
 use super::dialects::{Control, Spellings};
 use super::options::{BlockNumbers, ControlFunction, ControlOptions, Messages};
+use super::states::ControlState;
 
 /// Takes the settings that the control lacks out of the options. Returns one sentence each: the setting, and what the program
 /// has instead.
@@ -75,6 +76,10 @@ pub fn take_out_lacking(
         options.posture_word = true;
     }
     let own_tip_codes = options.tip_control.is_some();
+    options.states.retain(|key, _| {
+        let has = ControlState::of(codes.name).any(|state| state.key == key);
+        !add(!has, &format!("has no state `{key}`: it is left out of `control.states`"))
+    });
     if let Some(functions) = &mut options.functions {
         functions.retain(|function| {
             let can = function.can_be_in(codes, own_tip_codes);

@@ -5,6 +5,7 @@
 //!
 //! - `dialects`: the table of each control, based on [`Spellings::ISO`] where it writes ISO blocks, and the list
 //!   [`CONTROLS`].
+//! - `states`: settings and parameters of controls that no word states.
 //! - [`template`]: blocks with named fields, used in tables and configurations.
 //! - [`ControlOptions`]: settings of a job for its control; [`unfit`] lists those that the control does not support,
 //!   [`take_out_lacking`] leaves those out that a program does without, and [`abilities`] states which functions of the control the planner may use. [`Layout`] is the part that the
@@ -31,6 +32,7 @@ mod foreign;
 mod lacking;
 mod layout;
 mod options;
+mod states;
 pub mod template;
 #[cfg(test)]
 mod tests;
@@ -47,3 +49,4 @@ pub use options::{
     BlockNumbers, ControlFunction, ControlOptions, Demands, LineEffect, Messages, ProgramBlocks, ProgramHeader,
     RetractMethod,
 };
+pub(crate) use states::{ControlState, StepCycles};

@@ -14,6 +14,7 @@ use crate::program::Coolant;
 use crate::set_up::SetUp;
 
 use super::dialects::{MachineRetract, RetractForm, Spellings};
+use super::states::States;
 use super::template::{self, BadTemplate, Field, OF_PROGRAM, OF_TOOL};
 
 /// The data of a job that a control may read: for the encoder, and to find settings that it does not support.
@@ -122,6 +123,11 @@ options! {
         /// whole line: `"M68 E0 Q1" = "none"`. The check refuses them without it. After "state
         /// lost" a safety line must state every mode again; on Heidenhain write `M137` (F per minute) after such a line.
         effects: BTreeMap<String, LineEffect> = BTreeMap::new(), key("control.effects", LineEffects);
+        /// Settings and parameters of the control on which the meaning of words depends, by the control's own names: Haas
+        /// "setting 22" (retract of G73, gap of G83) and "setting 52" (rise of G83 above R), Fanuc "5114" (retract of
+        /// G73) and "5115" (gap of G83). Lengths. Cycles that read one which is not given are named with the value that they
+        /// need.
+        states: BTreeMap<String, f64> = BTreeMap::new(), key("control.states", States);
         /// Axis names that differ from the axis letters.
         axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AxisNames);
         /// Machine retract: by a code of the control, "G53" or "G91 G28" (LinuxCNC, Fanuc, Haas), "SUPA" (Siemens), "M91" or

@@ -8,10 +8,13 @@ use std::io;
 use crate::cl::{ArcVote, Dialect, FrameVote, Insert};
 use crate::config::Config;
 use crate::control::{
-    self, BlankWords, Control, CycleForm, Encoder, LengthGuard, LinearRapids, ProgramHeader, RetractForm,
+    self, BlankWords, Control, ControlState, CycleForm, Encoder, LengthGuard, LinearRapids, ProgramHeader, RetractForm,
+    StepCycles,
 };
 use crate::kinematics::{AnyMachine, Axis, AxisKind, DimensionKind, Limits, Side, Sign, digest};
-use crate::motion::{CutterPath, Links, StretchMode, StretchModes, TcpFrame, TipStart, ToolPosture, Wrap, rotaries_of};
+use crate::motion::{
+    CutterPath, CycleOutput, Links, StretchMode, StretchModes, TcpFrame, TipStart, ToolPosture, Wrap, rotaries_of,
+};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
 use crate::program::Units;
@@ -86,6 +89,13 @@ fn is_part_frame(config: &Config) -> bool {
     config.motion.tip.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero)
 }
 
+/// States of the control that cycles of the program read.
+fn states(control: &dyn Control, config: &Config, survey: &Survey) -> impl Iterator<Item = &'static ControlState> {
+    let native = config.motion.cycles.output == CycleOutput::Native && config.motion.lift_mm.is_none();
+    let cycles = if native { survey.step_cycles } else { StepCycles::default() };
+    ControlState::used(control.spellings().name, cycles)
+}
+
 /// Settings that were assumed because they were not given, one sentence each.
 pub(crate) fn assumptions(
     machine: &dyn AnyMachine,
@@ -123,6 +133,9 @@ pub(crate) fn assumptions(
     if units == Some(Units::Inches) && abilities.feed_per_inch > 1.0 && control.spellings().cycles.is_some() {
         let per_inch = abilities.feed_per_inch;
         list.push(format!("F is in 1/{per_inch} inch/min, in cycles (Q206) as well"));
+    }
+    for state in states(control, config, survey).filter(|state| !config.control.states.contains_key(state.key)) {
+        list.push(format!("{} is {}", state.title(), state.needed));
     }
     for tool in survey.tools.iter().filter(|tool| tool.spindle_assumed) {
         let number = tool.call.number;
@@ -199,6 +212,11 @@ pub(crate) fn set_up(machine: &dyn AnyMachine, control: &dyn Control, config: &C
     let measures = !options.measure_tool.is_empty() || !options.check_tool.is_empty() || !config.cl.probes.is_empty();
     if units == Some(Units::Inches) && measures {
         list.push("blocks of `cycles` are written as they are: their lengths are inches in this program".to_owned());
+    }
+    for state in states(control, config, survey) {
+        if let Some(value) = config.control.states.get(state.key) {
+            list.push(format!("{} must be {value} mm", state.title()));
+        }
     }
     list.extend(retract(control, config));
     if let Some(lift) = config.motion.lift_mm {

@@ -11,6 +11,7 @@ use nalgebra::UnitVector3;
 
 use crate::cl::{ClEvents, FileFacts};
 use crate::config::Config;
+use crate::control::StepCycles;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{AnyMachine, Pose};
@@ -76,6 +77,8 @@ pub(crate) struct Survey {
     pub(crate) names: OperationNames,
     /// Numbers of the operations to be posted, `None` for all; a sentence if they do not exist.
     pub(crate) selected: Option<Result<RangeInclusive<u64>, String>>,
+    /// Holes in steps.
+    pub(crate) step_cycles: StepCycles,
     /// First motion whose tool axis is not that of the machine with its rotary axes at zero.
     pub(crate) tilted: Option<Location>,
 }
@@ -261,6 +264,7 @@ impl Surveyor {
             }
             ItemAction::Hole { hole, index } => {
                 let [over, inside] = hole_extent(hole);
+                self.survey.step_cycles.add(&hole.drilling);
                 self.begin(index);
                 self.note_axis(item.at, &hole.top);
                 self.moved(false, over, &hole.top);

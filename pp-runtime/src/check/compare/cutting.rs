@@ -132,6 +132,7 @@ impl Comparison<'_> {
     fn carry_out(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose) -> io::Result<bool> {
         if self.is_rapid_after_retract(cutting, current.block, end) {
             cutting.back = None;
+            self.found_wet(std::mem::take(&mut cutting.wet_retract), current);
             cutting.here.into_iter().for_each(|here| self.progress.approach(here));
         }
         if let Some(back) = cutting.back.clone() {
@@ -755,7 +756,9 @@ impl Comparison<'_> {
     pub(super) fn rewind_point(&self, cutting: &Cutting, out: Option<ToolPose>, block: &Block) -> Option<RewindPoint> {
         let here = cutting.here?;
         let continues = self.progress.continues_cut();
-        let wet = !continues && block.state.coolant.is_some_and(|coolant| coolant != 0);
+        let on = block.state.coolant.is_some_and(|coolant| coolant != 0);
+        // The way back may not have been gone since another retract.
+        let wet = !continues && (on || cutting.back.is_some() && cutting.wet_retract);
         let dry = self.rules.policy().links.rewinds_dry;
         let may_go_on = |finished: &FinishedMotion| continues || wet || finished.required.coolant == 0 || dry;
         let finished = cutting.finished.as_ref().filter(|finished| finished.at_feed && may_go_on(finished)).cloned();
@@ -866,7 +869,7 @@ impl Comparison<'_> {
         // Words show no less than half a unit.
         let tolerance_mm = required.tolerance_mm.max(0.5 * self.rules.rounding().unit_mm);
         let comparison = CycleComparison { rules: &self.rules, block, cycle, hole: &hole, spindle, tolerance_mm };
-        let stays = comparison.stays_at_clearance();
+        let (stays, highest) = (comparison.stays_at_clearance(), comparison.highest());
         let (levels, back) = comparison.levels(stays);
         let way_out_mm = comparison.way_out_mm(&back);
         let levels = levels.map(|level| {
@@ -878,9 +881,11 @@ impl Comparison<'_> {
         for (level_mm, found) in levels {
             self.level_found(current, level_mm, found);
         }
-        if let Some(over) = cycle.over.and_then(|over| words_at(&self.rules, block, over)) {
-            let mut findings = Findings { tally: &mut self.tally, at: current.at, shown: current.shown };
-            self.travel.at_end(&self.rules, block, &over, &mut findings);
+        for level_mm in [cycle.over, highest].into_iter().flatten() {
+            if let Some(values) = words_at(&self.rules, block, level_mm) {
+                let mut findings = Findings { tally: &mut self.tally, at: current.at, shown: current.shown };
+                self.travel.at_end(&self.rules, block, &values, &mut findings);
+            }
         }
         if self.rotates(block) {
             self.rotates_at_part(current);

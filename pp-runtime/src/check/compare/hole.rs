@@ -89,6 +89,26 @@ impl CycleComparison<'_> {
         (levels, self.pose(end))
     }
 
+    /// Highest level to which the cycle retracts between its steps, as far as the settings of the control are known.
+    pub(super) fn highest(&self) -> Option<f64> {
+        let rises =
+            matches!(self.cycle.kind, CycleKind::Peck(_)).then(|| self.rules.facts().step_states.peck_rise)??;
+        Some(self.cycle.reference + self.rules.policy().shop.state_mm(rises)?)
+    }
+
+    /// A gap that the control has set itself, no shorter than a step.
+    fn set_gap_fault(&self) -> Option<String> {
+        let states = self.rules.facts().step_states;
+        let (step, name) = match self.cycle.kind {
+            CycleKind::Peck(step) => (step, states.peck_gap?),
+            CycleKind::ChipBreak(step) => (step, states.chip_break_gap?),
+            _ => return None,
+        };
+        let gap = self.rules.policy().shop.state_mm(name)?;
+        (gap >= step)
+            .then(|| format!("{name} of the control is {gap} mm: the cycle makes no way with steps of {step} mm"))
+    }
+
     /// Length from the bottom to the end of the cycle, mm.
     pub(super) fn way_out_mm(&self, end: &ToolPose) -> f64 {
         (end.tip - self.pose(-self.hole.depth_mm).tip).dot(&end.axis)
@@ -122,7 +142,8 @@ impl CycleComparison<'_> {
     /// What is wrong with kind, feed and dwell.
     pub(super) fn faults(&self) -> impl Iterator<Item = String> {
         let [thread, bore] = [self.thread_fault(), self.bore_fault()];
-        [self.kind_fault(), thread, bore, self.gap_fault(), self.feed_fault(), self.dwell_fault()].into_iter().flatten()
+        let [gap, set_gap] = [self.gap_fault(), self.set_gap_fault()];
+        [self.kind_fault(), thread, bore, gap, set_gap, self.feed_fault(), self.dwell_fault()].into_iter().flatten()
     }
 
     fn kind_fault(&self) -> Option<String> {

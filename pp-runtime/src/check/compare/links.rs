@@ -216,6 +216,11 @@ impl Comparison<'_> {
         }
         if let Some(text) = machine_move::fault_of_retract(&self.rules, &self.previous, block) {
             self.note_stations(block);
+            // An axis leaves the place where it was.
+            self.parked &= !block.written;
+            if let Phase::Retracted(retracted) = phase {
+                retracted.homed &= !block.written;
+            }
             // A parking position may be the home position.
             let goes = self.goes_home(phase, current) | self.parks_linear(phase, current)
                 || self.goes_to_station(phase, current);
@@ -666,6 +671,7 @@ impl Comparison<'_> {
         if let Some(rewind) = rewind {
             cutting.perhaps_retract = retracted.perhaps_retract.take();
             cutting.back = Some(Box::new(self.come_back(&rewind, current, end)));
+            cutting.wet_retract = rewind.wet;
             cutting.finished = rewind.finished;
             return cutting;
         }
@@ -776,7 +782,12 @@ impl Comparison<'_> {
 
     /// A retract with coolant, although the cut does not continue.
     fn wet_retract(&mut self, rewind: &RewindPoint, current: &Current<'_>) {
-        if rewind.wet {
+        self.found_wet(rewind.wet, current);
+    }
+
+    /// The same, where the coolant was `wet`.
+    pub(super) fn found_wet(&mut self, wet: bool, current: &Current<'_>) {
+        if wet {
             self.found(current, "coolant was on in the retract before this block, expected off");
         }
     }

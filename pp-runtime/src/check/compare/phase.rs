@@ -37,6 +37,8 @@ pub(super) struct Cutting {
     pub(crate) retract: RetractedLength,
     /// Way back to the point at which the rotary axes were rewound.
     pub(crate) back: Option<Box<Segment>>,
+    /// The coolant was on in the retract to it.
+    pub(crate) wet_retract: bool,
     /// Words before the rapid of which the last block was a part.
     pub(crate) rapid_from: Option<Box<[f64; MAX_AXES]>>,
     /// The rapid of which the last block was a step.

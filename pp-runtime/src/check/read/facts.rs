@@ -40,6 +40,17 @@ pub(crate) struct SmoothingWords {
     pub(crate) levels: [Option<u8>; 3],
 }
 
+/// Names of settings and parameters on which cycles in steps depend.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct StepStates {
+    /// Distance above the last depth to which a peck returns at rapid.
+    pub(crate) peck_gap: Option<&'static str>,
+    /// Retract that breaks the chip.
+    pub(crate) chip_break_gap: Option<&'static str>,
+    /// Distance above the clearance level to which a peck retracts.
+    pub(crate) peck_rise: Option<&'static str>,
+}
+
 /// Rule by which a control chooses between the two poses of a tilted plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PoseSelector {
@@ -157,6 +168,8 @@ pub(crate) struct Facts {
     pub(crate) motion_modal: bool,
     /// A setting decides whether the block that begins a canned cycle makes a hole without a word of its position.
     pub(crate) cycle_needs_position: bool,
+    /// Names of the settings on which cycles in steps depend.
+    pub(crate) step_states: StepStates,
     /// Length that guards read.
     pub(crate) guard_source: GuardSource,
     /// The largest deviation of blended blocks is programmed (G64 P).
@@ -221,6 +234,7 @@ const ISO: Facts = Facts {
     functions: Order::Either,
     motion_modal: true,
     cycle_needs_position: false,
+    step_states: StepStates { peck_gap: None, chip_break_gap: None, peck_rise: None },
     guard_source: GuardSource::Registers { largest: 999 },
     path_tolerance: false,
     smoothing: SmoothingWords { tolerance: false, levels: [None; 3] },
@@ -281,6 +295,8 @@ impl Family {
                 tip_control_has_form: true,
                 whole_milliseconds: true,
                 one_m_code: true,
+                // From memory.
+                step_states: StepStates { peck_gap: Some("5115"), chip_break_gap: Some("5114"), peck_rise: None },
                 ..ISO
             },
             // One M code in a block (from memory). Mill manual 96-8000: #2000+H and #2200+H for H1 to H200; G187 P1 rough, P2 medium, P3 finish.
@@ -289,6 +305,12 @@ impl Family {
                 feed_needs_point: true,
                 // Setting 28, canned cycle without X and Y: mill manual NGC (2017), settings.
                 cycle_needs_position: true,
+                // Settings 22 and 52: mill operator's manual, and 96-8000 (June 1999), p. 192.
+                step_states: StepStates {
+                    peck_gap: Some("setting 22"),
+                    chip_break_gap: Some("setting 22"),
+                    peck_rise: Some("setting 52"),
+                },
                 // Autodesk's public posts for Haas: 9999.99.
                 largest_inverse_time_hundredths: Some(999_999),
                 guard_source: GuardSource::Registers { largest: 200 },

@@ -310,7 +310,7 @@ static SPELLINGS: Spellings = Spellings {
         ("clamp", r#"{ on = "M10", off = "M11" }"#),
         ("clamp", r#"{ on = "M22", off = "M23" }"#),
     ],
-    unused_keys: &["control.program_number", "control.smoothing_levels", "control.swivel_data"],
+    unused_keys: &["control.program_number", "control.smoothing_levels", "control.swivel_data", "control.states"],
     found_at: &[
         FoundAt {
             key: "part_origin",

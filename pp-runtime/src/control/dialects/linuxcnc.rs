@@ -75,6 +75,7 @@ static SPELLINGS: Spellings = Spellings {
     ],
     unused_keys: &[
         "control.program_number",
+        "control.states",
         "control.smoothing_levels",
         "control.functions",
         "control.swivel_data",

@@ -50,6 +50,8 @@ enum NoCycle {
     NotMachineAxes,
     /// The control has no cycle with these steps.
     OtherSteps,
+    /// The gap that is set in the control is as long as a step.
+    GapOfControl,
 }
 
 impl NoCycle {
@@ -73,6 +75,7 @@ impl NoCycle {
                     .to_owned()
             }
             Self::OtherSteps => "no cycle of this control moves the tool in the same way".to_owned(),
+            Self::GapOfControl => "the gap in `control.states` is as long as a step".to_owned(),
         }
     }
 
@@ -94,7 +97,9 @@ impl NoCycle {
             }
             Self::NotMachineAxes => "post the operation with `mode = \"axes\"`",
             Self::LongDwell | Self::NoTappingDwell => "remove the dwell from the CYCLE in CAM",
-            Self::NoTappingCycle | Self::OtherSteps => "mill the thread, or post it for a control with a tapping cycle",
+            Self::NoTappingCycle | Self::OtherSteps | Self::GapOfControl => {
+                "mill the thread, or post it for a control with a tapping cycle"
+            }
         }
     }
 }
@@ -360,6 +365,16 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             let as_many = steps(self.hole)?.count() as i64 == (depth + step - 1) / step;
             let in_hole = gap > 0 && gap <= step + cycle.clearance - cycle.surface;
             return Ok((!(as_many && in_hole)).then_some(NoCycle::OtherSteps));
+        }
+        let [peck_mm, chip_break_mm] = self.planner.abilities.cycle_gaps_mm;
+        let (step, set_mm) = match cycle.kind {
+            CannedKind::Peck { step, .. } => (step, peck_mm),
+            CannedKind::ChipBreak { step, .. } => (step, chip_break_mm),
+            CannedKind::Drill | CannedKind::Ream | CannedKind::FineBore { .. } | CannedKind::Tap { .. } => (0, None),
+        };
+        let step_mm = step as f64 * self.planner.mover.placer().unit_mm();
+        if set_mm.is_some_and(|gap| gap >= step_mm) {
+            return Ok(Some(NoCycle::GapOfControl));
         }
         Ok(None)
     }
