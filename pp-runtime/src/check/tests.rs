@@ -5,6 +5,7 @@ mod clear;
 mod order;
 mod poles;
 mod selected;
+mod states;
 
 use std::io::Cursor;
 

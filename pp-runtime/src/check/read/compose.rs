@@ -196,7 +196,8 @@ impl Line<'_> {
             Means::Frame { in_workpiece } => self.orders.mode(Mode::InWorkpiece(in_workpiece)),
             Means::ShortestWay(shortest) => self.orders.mode(Mode::Shortest(shortest)),
             Means::CallCycle => asked.call = true,
-            Means::Address(_) | Means::Statement(_) | Means::Harmless(_) => {}
+            Means::Harmless(_) => self.orders.harmless = true,
+            Means::Address(_) | Means::Statement(_) => {}
         }
     }
 
@@ -479,7 +480,15 @@ impl Line<'_> {
             self.fault(0, "rotary words together with a tool axis");
         }
         let round = arc != ArcWords::default();
-        if axes.written != 0 || vector || round || canned.is_some() {
+        // R moves the tool to its level, and so it drills again.
+        let drills = canned.is_some_and(|words| words.begins.is_some() || words.reference.is_some());
+        if canned.is_some() && !drills && axes.written == 0 {
+            self.fault(0, "P, Q, I or J of a cycle without R and without an axis word");
+        }
+        if code == Some(Code::RigidTap) && self.orders.has(|mode| matches!(mode, Mode::Feed(_))) {
+            self.fault(0, "F in the block of a thread whose pitch is K");
+        }
+        if axes.written != 0 || vector || round || drills {
             let pitch = pitch.map(|word| word.number.value);
             self.orders.act(Act::Move(Motion { axes, arc, pitch, call: asked.call }));
         } else if asked.call {
@@ -525,7 +534,12 @@ impl Line<'_> {
             begins: asked.hole,
             reference: lengths[0],
             step: lengths[1],
-            dwell: dwell.map(|word| self.wait(&word)),
+            dwell: dwell.map(|word| {
+                if word.number.value < 0.0 {
+                    self.fault(word.column, "negative time");
+                }
+                self.wait(&word)
+            }),
             shift: shift
                 .iter()
                 .any(Option::is_some)

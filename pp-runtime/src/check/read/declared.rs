@@ -68,7 +68,7 @@ fn is_statement(text: &str) -> bool {
 fn is_known(text: &str, effect: Effect, vocabulary: &Vocabulary) -> bool {
     let orders = orders(text, vocabulary);
     let is_tool = |mode: &Mode| effect == Effect::ToolChange && matches!(mode, Mode::Tool(_));
-    !orders.acts.is_empty() || orders.all_modes().any(|mode| !is_tool(mode))
+    orders.harmless || !orders.acts.is_empty() || orders.all_modes().any(|mode| !is_tool(mode))
 }
 
 /// What the control's own language makes of a text, fields having some value.

@@ -168,6 +168,8 @@ pub(crate) struct Facts {
     pub(crate) motion_modal: bool,
     /// A setting decides whether the block that begins a canned cycle makes a hole without a word of its position.
     pub(crate) cycle_needs_position: bool,
+    /// The block of a canned cycle may have a word of a rotary axis.
+    pub(crate) cycle_takes_rotary: bool,
     /// Names of the settings on which cycles in steps depend.
     pub(crate) step_states: StepStates,
     /// Length that guards read.
@@ -234,6 +236,7 @@ const ISO: Facts = Facts {
     functions: Order::Either,
     motion_modal: true,
     cycle_needs_position: false,
+    cycle_takes_rotary: true,
     step_states: StepStates { peck_gap: None, chip_break_gap: None, peck_rise: None },
     guard_source: GuardSource::Registers { largest: 999 },
     path_tolerance: false,
@@ -262,6 +265,8 @@ impl Family {
             // tool 0: G-code documentation, G43. G0 and G28 in one block are two codes that use axis words: interp_check.cc. N is read as any
             // number: interp_read.cc, read_n_number. Motion codes, feed modes, compensation: interp_convert.cc.
             Self::LinuxCnc => Facts {
+                // interp_cycles.cc, convert_cycle.
+                cycle_takes_rotary: false,
                 several_coolant_codes: false,
                 register_0_is_off: false,
                 reference_beside_motion: false,

@@ -138,9 +138,14 @@ impl<'a> Line<'a> {
     }
 
     /// Adds the fault that what has been read from a column on is not in the language.
-    #[cold]
     pub(super) fn unknown(&mut self, column: usize) {
-        let text = self.read_from(column);
+        self.unknown_text(column, self.read_from(column));
+    }
+
+    /// Adds the fault that a text at a column is not in the language.
+    #[cold]
+    pub(super) fn unknown_text(&mut self, column: usize, text: &[u8]) {
+        self.orders.unknown = true;
         self.fault(column, format!("`{}` is not known to the check", shown(text)));
     }
 

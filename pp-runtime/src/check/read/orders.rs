@@ -310,6 +310,10 @@ pub(super) struct Orders {
     pub(crate) effects: u8,
     /// It says something, if only a code that changes nothing.
     pub(crate) speaks: bool,
+    /// It has a code that changes nothing here.
+    pub(crate) harmless: bool,
+    /// It has what is not in the language.
+    pub(crate) unknown: bool,
 }
 
 impl Orders {
@@ -325,7 +329,7 @@ impl Orders {
         self.either.clear();
         self.late.clear();
         self.acts.clear();
-        (self.effects, self.speaks) = (0, false);
+        (self.effects, self.speaks, self.harmless, self.unknown) = (0, false, false, false);
     }
 
     /// Adds a mode that is executed before the motion of its block.

@@ -4,7 +4,7 @@
 //! table does not have is executed by the effect that `[control] effects` declares for it, and only in a line of the
 //! configuration; clamp, coolant and tip control codes have the effect of their keys.
 
-use super::block::{Effect, Fault, OwnLine, OwnPlace, OwnValues, WorkPlane};
+use super::block::{Effect, OwnLine, OwnPlace, OwnValues, WorkPlane};
 use super::facts::{Facts, Form};
 use super::line::Line;
 use super::orders::{Act, Mode, effect};
@@ -345,9 +345,6 @@ fn values(text: &[u8], line: &mut Line<'_>) -> OwnValues {
     OwnValues { tool: called.or(number), offset: filled.offset.and_then(whole) }
 }
 
-/// Words of the fault of a code or a statement that the table does not have.
-const UNKNOWN: &str = "not known to the check";
-
 /// What has to come before a line that is read by itself.
 fn line_number(vocabulary: &Vocabulary) -> &'static [u8] {
     if vocabulary.family.facts().form == Form::Statements { b"1 " } else { b"" }
@@ -377,8 +374,7 @@ pub(crate) fn is_read(line: &[u8], vocabulary: &Vocabulary) -> bool {
     let vocabulary = Vocabulary { own: Vec::new(), effects: Vec::new(), ..vocabulary.clone() };
     let mut reader = Reader::new(&text[..], vocabulary);
     // What lacks a mode here has it in the program.
-    let is_unknown = |fault: &Fault| fault.text.contains(UNKNOWN);
-    reader.next_block().is_ok_and(|block| block.is_none_or(|(block, _)| !block.faults.iter().any(is_unknown)))
+    reader.next_block().is_ok() && !reader.orders.unknown
 }
 
 /// Whether a line is one of the configuration, with values for its fields; `is_tool`: whether a tool can be that of the line.

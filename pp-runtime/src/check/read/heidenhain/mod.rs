@@ -59,7 +59,7 @@ impl Dialect for Heidenhain {
         let start = line.at;
         // Only the parameters of a cycle go on in the next line, and they have been read to their end.
         if !self.statement(line) || goes_on && !line.at.ended() {
-            line.fault(start.column(), format!("`{}` is not known to the check", shown(start.rest())));
+            line.unknown_text(start.column(), start.rest());
         }
         self.began = true;
         self.ended |= line.orders.acts.contains(&Act::End);

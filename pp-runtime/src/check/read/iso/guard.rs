@@ -7,7 +7,7 @@
 use super::super::block::{Guard, LengthSource};
 use super::super::line::Line;
 use super::super::orders::Mode;
-use super::super::text::{Cursor, same, shown, whole};
+use super::super::text::{Cursor, same, whole};
 
 /// Variables of geometry and wear of a length register: first numbers, and the number of registers.
 const REGISTERS: [([u32; 2], u32); 2] = [([10_000, 11_000], 999), ([2000, 2200], 200)];
@@ -108,7 +108,7 @@ impl Guards {
             }
             return true;
         }
-        line.fault(0, format!("`{}` is not known to the check", shown(line.at.rest())));
+        line.unknown_text(0, line.at.rest());
         false
     }
 

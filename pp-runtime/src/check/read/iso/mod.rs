@@ -84,7 +84,7 @@ impl Iso {
         if line.at.number().and_then(whole).is_none() {
             line.fault(0, "O word without a number");
         } else if !line.at.ended() && line.at.peek() != Some(b'(') {
-            line.fault(0, format!("`{}` is not known to the check", shown(line.at.rest())));
+            line.unknown_text(0, line.at.rest());
         } else if !line.at.ended() {
             comment(line);
             if !line.at.ended() {

@@ -11,7 +11,7 @@ use super::{Language, Letters, Row};
 const HEADS: [&str; 8] = ["spelling", "meaning", "reads", "changes", "moves", "takes", "group", "source"];
 
 /// Names of the groups of which a block has one code, by their number.
-const GROUPS: [(u32, &str); 25] = [
+const GROUPS: [(u32, &str); 26] = [
     (group::MOTION, "motion"),
     (group::PLANE, "plane"),
     (group::DISTANCE, "distance"),
@@ -37,7 +37,13 @@ const GROUPS: [(u32, &str); 25] = [
     (group::WINDOW, "window"),
     (group::POSTURE, "posture"),
     (group::FRAME, "frame"),
+    (group::DYNAMIC_OFFSET, "dynamic offset"),
 ];
+
+/// Name of a group; `None` where it is no modal group.
+pub(super) fn group_name(group: u32) -> Option<&'static str> {
+    GROUPS.iter().find(|(number, _)| *number == group).map(|(_, name)| *name)
+}
 
 /// Writes the codes and words of a family in columns, then the lists of arguments.
 pub(crate) fn table(family: Family, out: &mut dyn Write) -> io::Result<()> {
@@ -63,7 +69,7 @@ fn rows(language: &Language) -> impl Iterator<Item = &'static Row> {
 
 fn cells(row: &'static Row) -> [String; 8] {
     let [reads, changes, moves] = row.means.effect().map(str::to_owned);
-    let together = GROUPS.iter().find(|(number, _)| *number == row.group).map_or("-", |(_, name)| name);
+    let together = group_name(row.group).unwrap_or("-");
     let several = row.key != row.last;
     let spelling = match several {
         true => format!("{} .. {}{}", row.spelling, &row.spelling[..1], Row::number(row.last) / 10),

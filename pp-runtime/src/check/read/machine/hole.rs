@@ -63,6 +63,9 @@ impl Interpreter {
                 "a cycle that begins without X and Y: whether it makes a hole here depends on setting 28 of the control",
             );
         }
+        if words.written & self.axes.rotary != 0 && !self.facts.cycle_takes_rotary {
+            fault(faults, 0, "a word of a rotary axis in the block of a canned cycle");
+        }
         if let Some(normal) = self.normal().filter(|normal| words.written & (1 << normal) != 0)
             && let Some(mut canned) = self.motion.canned
         {
@@ -74,9 +77,13 @@ impl Interpreter {
         let parts =
             canned.and_then(|canned| Some((self.kind(&canned)?, canned.reference?, canned.bottom?, canned.dwell)));
         let Some((kind, reference, bottom, dwell)) = parts else {
-            fault(faults, 0, "unknown cycle, or a word of the cycle is missing");
+            let text = "this cycle lacks its bottom, its R, or a step (Q) above 0";
+            fault(faults, 0, text);
             return Action::Nothing;
         };
+        if bottom > reference {
+            fault(faults, 0, "the bottom of this cycle is above the level (R) from which it goes down");
+        }
         self.motion.cycle = Some(Cycle { kind, reference, bottom, back_to: None, dwell, feed: None, gap: None });
         self.hole(faults)
     }

@@ -14,7 +14,7 @@ use super::Dialect;
 use super::language::{Address, Means, Statement};
 use super::line::Line;
 use super::orders::{Cycle, Mode};
-use super::text::{Cursor, Number, shown, whole};
+use super::text::{Cursor, Number, whole};
 use super::words::{Coded, Counts};
 
 /// What is remembered from one line to the next.
@@ -57,7 +57,7 @@ impl Dialect for Siemens {
                 let mut from = line.at;
                 from.go_to(start);
                 let word = from.rest().split(|byte| *byte == b' ').next().unwrap_or_default();
-                line.fault(start, format!("`{}` is not known to the check", shown(word)));
+                line.unknown_text(start, word);
                 if line.at.column() == start {
                     line.at.skip(word.len().max(1));
                 }

@@ -29,7 +29,6 @@ fn codes_that_move_change_or_repeat_and_are_not_in_the_table_are_faults() {
             "WHILE [#1 LT 5] DO1",
             "#5221=5",
             "M99",
-            "G76 X1. Z-5. R2. Q1. P1 F9.",
             "G88 X1. Z-5. R2. F9.",
             "G31 Z-5. F9.",
             "G12 I5.",

@@ -25,7 +25,14 @@ fn any_axis_word_or_r_drills_again_while_a_cycle_is_in_force() {
         assert_eq!(bottoms("Z-40."), [-10.0, -40.0], "{family:?}");
         assert_eq!(bottoms("G98 Z-40."), [-10.0, -40.0], "{family:?}");
         assert_eq!(bottoms("R-8."), [-10.0, -10.0], "{family:?}");
-        assert_eq!(bottoms("C5."), [-10.0, -10.0], "{family:?}");
+        match family {
+            // It takes no word of a rotary axis in the block of a cycle: interp_cycles.cc, convert_cycle.
+            Family::LinuxCnc => {
+                let found = faults(family, &format!("{AT}G98 G81 X1. Y2. Z-10. R2. F100.\nC5.\n"));
+                assert!(found[0].contains("a word of a rotary axis"), "{found:?}");
+            }
+            _ => assert_eq!(bottoms("C5."), [-10.0, -10.0], "{family:?}"),
+        }
         assert_eq!(bottoms("M8"), [-10.0], "{family:?}");
         // Without X and Y it drills where the tool is, unless a setting of the control is otherwise.
         let here = faults(family, &format!("{AT}G98 G81 Z-10. R2. F100.\nX5.\n"));
@@ -50,9 +57,18 @@ fn repeat_counts_and_words_that_a_cycle_does_not_take_are_faults() {
             "G83 X1. Y2. Z-10. R2. Q0. F9.",
             "G83 X1. Y2. Z-10. R2. Q1. I1. J1. K1. F9.",
             "G85 X1. Y2. Z-10. R2. P1 F9.",
+            "G81 X1. Y2. Z10. R2. F9.",
+            "G82 X1. Y2. Z-10. R2. P-5 F9.",
+            "G82 X1. Y2. Z-10. R2. P5 F9.\nP7",
         ];
         for text in texts {
-            assert!(!faults(family, &format!("{AT}{text}\n")).is_empty(), "{family:?}: {text}");
+            assert!(!faults(family, &format!("{AT}G98 {text}\n")).is_empty(), "{family:?}: {text}");
+        }
+        for text in
+            ["G81 X1. Y2. Z-10. R2. F9.", "G82 X1. Y2. Z-10. R2. P5 F9.\nX7. P7", "G83 X1. Y2. Z-10. R2. Q1. F9."]
+        {
+            let found = faults(family, &format!("{AT}G98 {text}\n"));
+            assert!(found.is_empty(), "{family:?}: {text}: {found:?}");
         }
     }
 }

@@ -1,0 +1,49 @@
+//! Settings of the control that no word states (`[control.states]`), and places that an axis has left.
+
+use super::*;
+
+/// A hole in steps of 2 mm well below the end of the travel.
+const PECK: &str = "UNITS/MM\nTOOL PATH/DEEP,TOOL,T1\nLOADTL/1,LENGTH,100\nSPINDL/RPM,2000,CLW\nRAPID\nGOTO/0,0,50\n\
+                    CYCLE/DEEP,DEPTH,12,STEP,2,CLEAR,3,MMPM,200\nGOTO/0,0,10\nCYCLE/OFF\nRAPID\nGOTO/0,0,50\n";
+
+const TRAVEL: &str = "retract.distance = 20\nlimits = { Z = [-700, 0] }\nmachine_zero = { Z = -400 }\n";
+
+#[test]
+fn the_rise_of_a_peck_above_r_is_part_of_its_path() {
+    let with = |rise: f64| format!("{TRAVEL}control.states = {{ \"setting 52\" = {rise:.1} }}\n");
+    let (found, program) = posted::<Mill>("haas", Mode::Axes, &with(1.0), PECK).expect("it can be posted");
+    assert_eq!(found, [""; 0], "{program}");
+    assert!(program.contains("G83") && program.contains("setting 52 ["), "{program}");
+    let found = again::<Mill>("haas", Mode::Axes, &with(400.0), PECK, &program);
+    assert!(found.iter().any(|text| text.contains("limit")), "{found:?}");
+}
+
+#[test]
+fn a_gap_that_is_as_long_as_a_step_makes_no_cycle() {
+    for (control, key, cycle) in [("haas", "setting 22", "G83"), ("fanuc", "5115", "G83")] {
+        let with = |gap: f64| format!("{TRAVEL}control.states = {{ \"{key}\" = {gap:.1} }}\n");
+        let right = posted_right::<Mill>(control, Mode::Axes, &with(0.5), PECK);
+        assert!(right.contains(&format!(" {cycle} X")), "{right}");
+        let expanded = posted_right::<Mill>(control, Mode::Axes, &with(2.0), PECK);
+        assert!(!expanded.contains(&format!(" {cycle} X")), "{expanded}");
+        let found = again::<Mill>(control, Mode::Axes, &with(2.0), PECK, &right);
+        assert!(found.iter().any(|text| text.contains("makes no way")), "{found:?}");
+        // Where it is not given, the value that the program needs is stated.
+        let unknown = posted_right::<Mill>(control, Mode::Axes, TRAVEL, PECK);
+        assert!(unknown.to_lowercase().contains(&format!("assumed {key}")), "{unknown}");
+    }
+    let (control, mut config) = configured::<Mill>("siemens", Mode::Axes, "control.states = { \"5115\" = 0.5 }\n");
+    let left_out = crate::control::take_out_lacking(control, &mut config.control, &mut config.motion.operations);
+    assert!(left_out.iter().any(|text| text.contains("has no state `5115`")), "{left_out:?}");
+}
+
+#[test]
+fn an_axis_that_has_left_its_parking_position_is_not_there() {
+    let set_up = "retract = { distance = 20, home_on_indexing = true, x = 0, y = -50 }\npark = { Y = 200 }\n";
+    let set_up = set_up.replace("x = 0, y = -50", "xy = { X = 0, Y = -50 }");
+    let data = "UNITS/MM\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,0,50\nGOTO/0,0,0\nGOTO/20,0,50\nGOHOME\n";
+    let program = posted_right::<Mill>("linuxcnc", Mode::Axes, &set_up, data);
+    let last = program.rfind("G53 G0 Y200\n").expect("the parking position");
+    let moved = format!("{}G53 G0 X0 Y-50\n{}", &program[..last], &program[last + "G53 G0 Y200\n".len()..]);
+    assert_told::<Mill>("linuxcnc", Mode::Axes, &set_up, data, &moved);
+}
