@@ -124,6 +124,8 @@ impl CycleComparison<'_> {
         let across = (step - expected.axis * along).norm();
         let above_mm = level.above_mm.abs();
         let leans_mm = if above_mm > 0.0 { (above_mm * self.lean()?).min(self.tolerance_mm) } else { 0.0 };
+        // A line that leans is shorter along the axis, by the square of its angle.
+        let along = (along.abs() - leans_mm * self.lean()?).max(0.0);
         let wrong = hypot(along, (across - leans_mm).max(0.0)) > self.rules.rounding().tip_mm
             || !self.rules.is_axis_near(&at.axis, &expected.axis, 1.0);
         let off = step.norm();

@@ -347,11 +347,15 @@ impl Rules<'_> {
     /// The corner of a rapid in two blocks, along the tool axis and across it.
     fn corner(&self, segment: &Segment, end: &ToolPose, arrival: &Arrival<'_>) -> Option<f64> {
         let here = arrival.here.filter(|_| self.policy.links.rapid == RapidForm::TwoBlocks)?;
-        let step = segment.to.tip - here.tip;
-        let along = segment.to.axis * step.dot(&segment.to.axis);
-        let corner = if step.dot(&segment.to.axis) > 0.0 { here.tip + along } else { segment.to.tip - along };
         let largest = (1.0 + drift(arrival.chords)) * self.rounding.tip_mm;
-        ((end.tip - corner).norm() <= largest).then_some(0.0)
+        let is_corner = |from: Vector3<f64>| {
+            let step = segment.to.tip - from;
+            let along = segment.to.axis * step.dot(&segment.to.axis);
+            let corner = if step.dot(&segment.to.axis) > 0.0 { from + along } else { segment.to.tip - along };
+            (end.tip - corner).norm() <= largest
+        };
+        // A cycle that leans with its words returns beside the axis of its hole.
+        (is_corner(here.tip) || is_corner(segment.from.tip)).then_some(0.0)
     }
 
     /// Bounds of [`deviation`](Self::deviation) for a block whose words are axis positions, on a straight motion. `ends`: poses

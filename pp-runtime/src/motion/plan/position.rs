@@ -80,6 +80,11 @@ impl Position {
         self.rotary_known
     }
 
+    /// Whether anything has moved since the beginning.
+    pub(crate) fn has_moved(&self) -> bool {
+        self.moved
+    }
+
     /// Whether the CL data has moved the tool since the last stop.
     pub(crate) fn has_worked(&self) -> bool {
         self.worked

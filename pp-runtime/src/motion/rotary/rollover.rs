@@ -59,6 +59,15 @@ impl Rollover {
         self.axes.iter().filter(|axis| mask & (1 << axis.index) != 0).map(pieces).max().unwrap_or(1)
     }
 
+    /// Whether an axis that takes the shorter path rotates by half a revolution, in either direction.
+    pub(crate) fn is_half_turn(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], mask: u16) -> bool {
+        let turn = self.units_per_turn;
+        self.axes.iter().any(|axis| {
+            let travel = (to[axis.index] - from[axis.index]).rem_euclid(turn);
+            mask & (1 << axis.index) != 0 && axis.wrap != Wrap::Sign && 2 * travel == turn
+        })
+    }
+
     /// Makes the words of a block that starts at the words `from` those to write.
     #[inline(always)]
     pub(crate) fn spell(&mut self, from: impl FnOnce() -> [i64; MAX_AXES], words: &mut AxisWords) {

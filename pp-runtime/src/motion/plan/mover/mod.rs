@@ -545,8 +545,12 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.output.times_mut().rapid(self.placer.least_minutes_of(from, to, mask));
         let (start, end) = (self.placer.written(from), self.placer.written(to));
         let mut from = start;
-        // Where the rotary axes are unknown, no way to the end is the shorter one.
-        let pieces = if self.position.knows_rotary_axes() { self.speller.pieces(&start, &end, mask) } else { 1 };
+        // Where the rotary axes are unknown, no way to the end is the shorter one; they may be where they were.
+        let pieces = match self.position.knows_rotary_axes() {
+            true => self.speller.pieces(&start, &end, mask),
+            false if self.position.has_moved() && self.speller.is_half_turn(&start, &end, mask) => 2,
+            false => 1,
+        };
         for piece in 1..=pieces {
             let mut words = self.placer.words(to, mask);
             for index in (0..MAX_AXES).filter(|&index| mask & (1 << index) != 0) {
