@@ -8,6 +8,8 @@ use std::f64::consts::PI;
 use std::io;
 use std::rc::Rc;
 
+use nalgebra::Vector3;
+
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required, RequiredSmoothing};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between, is_within_angle};
 use super::super::policy::RapidForm;
@@ -221,15 +223,22 @@ impl Comparison<'_> {
     }
 
     /// Share of a rapid on the axis of a hole that a block has done, as far as it is on that axis: it may stop on its way down,
-    /// because a cycle of the control returns to where it began. Words along one axis follow the axis that the machine has:
-    /// over a length they leave that of the hole by as much as it leans.
+    /// because a cycle of the control returns to where it began. Words along one axis follow the axis that the machine has, from
+    /// the level of the other words: those of either end.
     fn share_over_hole(&self, Part { segment, rapid, .. }: &Part, end: &ToolPose) -> Option<f64> {
         let rounding = self.rules.rounding();
-        let leans_rad = segment.axis_arc().distance(&end.axis);
-        let off_mm = BOTH * rounding.tip_mm + leans_rad * segment.length();
-        let near = *rapid && leans_rad <= BOTH * rounding.axis_rad && segment.distance(end, 0.0) <= off_mm;
-        let ends = (end.tip - segment.to.tip).norm() <= off_mm;
-        near.then_some(if ends { 1.0 } else { 0.0 })
+        let largest = BOTH * rounding.tip_mm;
+        let beyond = |step: Vector3<f64>| step.dot(&end.axis).abs();
+        let is_under = |point: &ToolPose| {
+            let step = end.tip - point.tip;
+            (step - end.axis * step.dot(&end.axis)).norm() <= largest
+        };
+        let between =
+            beyond(end.tip - segment.from.tip) + beyond(end.tip - segment.to.tip) <= segment.length() + largest;
+        let leans = between && (is_under(&segment.from) || is_under(&segment.to));
+        let near = *rapid && segment.axis_arc().distance(&end.axis) <= BOTH * rounding.axis_rad;
+        let ends = beyond(end.tip - segment.to.tip) <= largest;
+        (near && (leans || segment.distance(end, 0.0) <= largest)).then_some(if ends && leans { 1.0 } else { 0.0 })
     }
 
     /// A block that carries out a part of a motion: its state, its path, its feed.

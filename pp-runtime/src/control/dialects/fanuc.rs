@@ -134,6 +134,7 @@ static SPELLINGS: Spellings = Spellings {
         note: "G53.1 must take the pose that rotates the rotary axes least; they are in it already",
     }),
     rotary_note: "the axes must not roll over (parameter 1008#0 = 0)",
+    examples: &[("control.states", r#"{ "5114" = 0.5, "5115" = 0.5 }"#)],
     unused_keys: &["control.swivel_data"],
     found_at: &[
         FoundAt {
