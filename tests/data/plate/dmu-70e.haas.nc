@@ -29,6 +29,8 @@ O00001 (PLATE)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
+(ASSUMED setting 22 [retract of G73 after each step, and distance above the)
+(last depth to which G83 returns at rapid] is shorter than each step)
 N1 G20 G17 G40 G49 G80 G90 G94 G54
 M09
 G53 G00 Z0.

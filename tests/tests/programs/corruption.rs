@@ -266,7 +266,8 @@ fn pose_difference<M: Machine>(
         let counts = |index: &usize| !free || M::AXES.get(*index).is_none_or(|axis| axis.kind == AxisKind::Linear);
         let off = (0..was.values.len()).filter(counts).map(|index| (was.values[index] - is.values[index]).abs());
         let off = off.fold(0.0, f64::max);
-        let moved = off > UNITS * unit || was.written != is.written;
+        // Words of exactly so many units differ by a little more in binary.
+        let moved = off > UNITS * unit + 1e-9 || was.written != is.written;
         return moved.then(|| format!("a coordinate is {off:.4} off"));
     }
     let ((tip, axis), (damaged_tip, damaged_axis)) = (pose::<M>(config, was), pose::<M>(config, is));

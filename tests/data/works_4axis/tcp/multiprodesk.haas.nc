@@ -32,6 +32,10 @@ O00001 (NONAME)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
+(ASSUMED setting 22 [retract of G73 after each step, and distance above the)
+(last depth to which G83 returns at rapid] is shorter than each step)
+(ASSUMED setting 52 [distance above R to which G83 retracts after each step])
+(is 0)
 (OPERATION ARCS)
 N1 G21 G17 G40 G49 G80 G90 G94 G54
 G255
