@@ -10,7 +10,7 @@ use std::rc::Rc;
 
 use nalgebra::Vector3;
 
-use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem, Required, RequiredSmoothing};
+use super::super::expect::{ClMotion, ExpectedAction, ExpectedHole, ExpectedItem, Required, RequiredSmoothing};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between, is_within_angle};
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
@@ -168,7 +168,7 @@ impl Comparison<'_> {
             if starts && !self.progress.is_approached() {
                 return Ok(false);
             }
-            let (here, in_hole) = (cutting.here.as_ref(), item.hole.is_some());
+            let (here, hole) = (cutting.here.as_ref(), item.hole.clone());
             let (at, required, feed) = (item.at, Rc::clone(&item.required), self.rules.feed_of(motion));
             let segment = self.progress.segment(motion, here, end);
             let mut part = Part { segment, rapid, starts, feed, share: 0.0, at, required };
@@ -185,7 +185,8 @@ impl Comparison<'_> {
             }
             let (arrival, words) = (self.progress.arrival(here, chords), &self.previous.words);
             let share = self.rules.share_done(&part.segment, rapid, block, (words, end), &arrival);
-            if let Some(share) = share.or_else(|| if in_hole { self.share_over_hole(&part, end) } else { None }) {
+            let over_hole = hole.as_ref().and_then(|hole| self.share_over_hole(&part, hole, end));
+            if let Some(share) = over_hole.filter(|share| *share >= 1.0).or(share).or(over_hole) {
                 part.share = share;
                 self.travelled(cutting, current, end, &part);
                 return Ok(true);
@@ -222,23 +223,20 @@ impl Comparison<'_> {
         !block.action.is_feed() || fault().is_none()
     }
 
-    /// Share of a rapid on the axis of a hole that a block has done, as far as it is on that axis: it may stop on its way down,
-    /// because a cycle of the control returns to where it began. Words along one axis follow the axis that the machine has, from
-    /// the level of the other words: those of either end.
-    fn share_over_hole(&self, Part { segment, rapid, .. }: &Part, end: &ToolPose) -> Option<f64> {
-        let rounding = self.rules.rounding();
+    /// Share of a rapid to a hole or on its axis that a block has done: it may stop on its way down, because a cycle of the control
+    /// returns to where it began. Words across the tool are those of the clearance level at every height; from there words along
+    /// it follow the axis that the machine has.
+    fn share_over_hole(&self, part: &Part, hole: &ExpectedHole, end: &ToolPose) -> Option<f64> {
+        let (segment, rounding) = (&part.segment, self.rules.rounding());
         let largest = BOTH * rounding.tip_mm;
-        let beyond = |step: Vector3<f64>| step.dot(&end.axis).abs();
-        let is_under = |point: &ToolPose| {
-            let step = end.tip - point.tip;
-            (step - end.axis * step.dot(&end.axis)).norm() <= largest
-        };
-        let between =
-            beyond(end.tip - segment.from.tip) + beyond(end.tip - segment.to.tip) <= segment.length() + largest;
-        let leans = between && (is_under(&segment.from) || is_under(&segment.to));
-        let near = *rapid && segment.axis_arc().distance(&end.axis) <= BOTH * rounding.axis_rad;
-        let ends = beyond(end.tip - segment.to.tip) <= largest;
-        (near && (leans || segment.distance(end, 0.0) <= largest)).then_some(if ends && leans { 1.0 } else { 0.0 })
+        let along = |step: Vector3<f64>| step.dot(&end.axis);
+        let step = end.tip - hole.clearance_point().tip;
+        let over = (step - end.axis * along(step)).norm() <= largest;
+        let [from, to] = [segment.from.tip, segment.to.tip].map(|tip| along(end.tip - tip));
+        let on_axis = over && from.abs() + to.abs() <= along(segment.to.tip - segment.from.tip).abs() + largest;
+        let near = part.rapid && segment.axis_arc().distance(&end.axis) <= BOTH * rounding.axis_rad;
+        let done = if over && to.abs() <= largest { 1.0 } else { 0.0 };
+        (near && (on_axis || segment.distance(end, 0.0) <= largest)).then_some(done)
     }
 
     /// A block that carries out a part of a motion: its state, its path, its feed.
@@ -805,6 +803,7 @@ impl Comparison<'_> {
         let lifts = over && (at(hole.return_mm) && !asked || !next.rapid && at(hole.clearance_mm));
         if lifts {
             self.pass_over_hole(cutting.here.as_ref(), number);
+            self.progress.begin_at(*end);
             self.compare_state(current, &required);
             if current.block.action.is_rapid() {
                 if self.rotates(current.block) {

@@ -1,7 +1,10 @@
 //! Texts for the operator that the control displays: each as in the CL data, in its place among the motions.
 
+use std::io;
+
 use super::super::expect::legible;
 use super::super::read::{Action, is_filled};
+use super::phase::Phase;
 use super::{Comparison, Current};
 
 /// Text that a line displays, if it does.
@@ -11,16 +14,21 @@ fn displayed<'t>(line: &'t [u8], [before, after]: [&str; 2]) -> Option<&'t [u8]>
 
 impl Comparison<'_> {
     /// Compares the text of a line, and reports those that should have come before it.
-    pub(super) fn messages(&mut self, current: &Current<'_>) {
-        let Some(marks) = self.rules.facts().message.filter(|_| self.rules.policy().shop.displays_messages) else {
-            return;
-        };
-        self.compare_messages(marks, current);
+    pub(super) fn messages(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<()> {
+        match self.rules.facts().message.filter(|_| self.rules.policy().shop.displays_messages) {
+            Some(marks) => self.compare_messages(marks, phase, current),
+            None => Ok(()),
+        }
     }
 
     /// The same where texts are displayed. `marks`: before and after one.
     #[inline(never)]
-    fn compare_messages(&mut self, marks: [&'static str; 2], current: &Current<'_>) {
+    fn compare_messages(
+        &mut self,
+        marks: [&'static str; 2],
+        phase: &mut Phase,
+        current: &Current<'_>,
+    ) -> io::Result<()> {
         let line = current.shown.text.trim_ascii();
         let guarded = std::mem::replace(&mut self.guarded, line.starts_with(b"IF "));
         let policy = self.rules.policy();
@@ -35,10 +43,15 @@ impl Comparison<'_> {
             })
         };
         let of_shop = |line: &[u8]| policy.shop.lines.iter().any(|own| is_filled(&own.text, line, is_tool));
-        if let Some(text) = displayed(line, marks).filter(|_| !guarded && !of_shop(line))
-            && !self.progress.displays(&legible(text))
-        {
-            self.found(current, "this text is not the next one of PPRINT, or of an operation, in the CL data");
+        if let Some(text) = displayed(line, marks).filter(|_| !guarded && !of_shop(line)) {
+            let text = legible(text);
+            // Before its record there may be motions that need no block.
+            if !self.progress.displays(&text) && {
+                self.pass_needless(phase)?;
+                !self.progress.displays(&text)
+            } {
+                self.found(current, "this text is not the next one of PPRINT, or of an operation, in the CL data");
+            }
         }
         let ended = current.block.action == Action::End;
         while let Some(message) = self.progress.overdue_message(ended) {
@@ -46,5 +59,6 @@ impl Comparison<'_> {
             let text = format!("the text \"{text}\" of the CL data is not displayed before this block");
             self.tally.found(message.at, current.shown, &text);
         }
+        Ok(())
     }
 }

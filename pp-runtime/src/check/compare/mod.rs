@@ -234,7 +234,7 @@ impl<'a> Checker<'a> {
             comparison.found(&current, &fault.text);
         }
         if is_line {
-            comparison.messages(&current);
+            comparison.messages(phase, &current)?;
         }
         if !phase.is_at_part() {
             comparison.rules.follow_frame(&block.state);
