@@ -244,8 +244,10 @@ impl Comparison<'_> {
             // The spindle is on for the cut that comes.
             let rewind = retracted.rewind.as_ref();
             let finished = rewind.and_then(|rewind| rewind.finished.as_ref()).map(|finished| &finished.required);
-            let cut = self.progress.next().map(|item| &item.required).or(finished);
-            let stands = retracted.parks || self.progress.next().is_none() || self.is_station_due(current.block);
+            // A rapid that was taken for done may be the retract before it.
+            let next = self.progress.next().or(retracted.perhaps_retract.as_deref());
+            let cut = next.map(|item| &item.required).or(finished);
+            let stands = retracted.parks || next.is_none() || self.is_station_due(current.block);
             let spindle = cut.filter(|_| !stands).and_then(|required| self.rules.spindle_in_cut(required));
             // As in an approach, the coolant may be on where a cut goes on after a rewind.
             let dry = retracted.rewind.is_none();
