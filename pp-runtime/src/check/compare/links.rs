@@ -244,8 +244,10 @@ impl Comparison<'_> {
             // The spindle is on for the cut that comes.
             let rewind = retracted.rewind.as_ref();
             let finished = rewind.and_then(|rewind| rewind.finished.as_ref()).map(|finished| &finished.required);
-            // A rapid that was taken for done may be the retract before it.
-            let next = self.progress.next().or(retracted.perhaps_retract.as_deref());
+            // A rapid that was taken for done may be the retract before it, if the spindle goes on.
+            let runs = current.block.state.spindle.flatten().is_some();
+            let perhaps = retracted.perhaps_retract.as_deref().filter(|_| runs);
+            let next = self.progress.next().or(perhaps);
             let cut = next.map(|item| &item.required).or(finished);
             let stands = retracted.parks || next.is_none() || self.is_station_due(current.block);
             let spindle = cut.filter(|_| !stands).and_then(|required| self.rules.spindle_in_cut(required));
