@@ -66,6 +66,11 @@ impl Comparison<'_> {
         if first && state.coolant.is_some_and(|on| on != 0) {
             self.found(current, "the coolant is on where a probe measures");
         }
+        if first {
+            let before = &self.setters.at_block;
+            let fault = self.rules.fault_at_measuring(before, current.block, self.progress.last());
+            self.found_state(current, fault);
+        }
     }
 
     /// Changes of state that must not happen at the part.
@@ -861,7 +866,7 @@ impl Comparison<'_> {
             self.found(current, "operation starts without the machine retract after its restart point");
         }
         if let Some(required) = self.progress.next().map(|item| Rc::clone(&item.required)) {
-            for fault in self.functions.start(&self.rules, &required, current.block) {
+            for fault in self.functions.start(&self.rules, &required) {
                 self.found(current, &fault);
             }
         }

@@ -117,6 +117,8 @@ struct Previous {
 #[derive(Debug, Default)]
 struct Setters {
     before: State,
+    /// State before the last block that may have set something.
+    at_block: State,
     lines: [Option<(u64, Vec<u8>)>; StateItem::ALL.len()],
 }
 
@@ -124,6 +126,7 @@ impl Setters {
     /// Takes a block that may have set something.
     fn follow(&mut self, block: &Block, text: &[u8]) {
         let before = std::mem::replace(&mut self.before, block.state);
+        self.at_block = before;
         for item in StateItem::ALL {
             if item.differs(&before, &block.state) {
                 self.lines[item as usize] = Some((block.line, text.to_vec()));
@@ -220,6 +223,7 @@ impl<'a> Checker<'a> {
         let current = Current { block, shown, at: comparison.progress.location(), same_modes };
         comparison.stop_at_fault(&current);
         if !same_modes {
+            comparison.captured_state(&current);
             comparison.right_state = None;
             comparison.previous.follow_frame(&comparison.rules, &comparison.setters.before, block);
             comparison.setters.follow(block, text);
@@ -435,6 +439,18 @@ impl Comparison<'_> {
     /// Whether an item ahead needs no block; `here`: where the tool is.
     fn is_needless(&self, index: usize, here: Option<&ToolPose>) -> bool {
         self.progress.is_needless(index, &self.rules, here, self.previous.chords)
+    }
+
+    /// A plane, and a zero that follows the table, keep the state in which they are switched on.
+    fn captured_state(&mut self, current: &Current<'_>) {
+        let (before, now) = (&self.setters.before, &current.block.state);
+        let tilts = now.tilt.is_some() && now.tilt != before.tilt;
+        if !tilts && (before.dynamic_offset || !now.dynamic_offset) {
+            return;
+        }
+        let motion = (0..).map_while(|index| self.progress.get(index)).find(|item| item.motion().is_some());
+        let fault = motion.and_then(|item| self.rules.fault_at_capture(current.block, &item.required));
+        self.found_state(current, fault);
     }
 
     /// Passes motions that need no block.

@@ -129,6 +129,13 @@ impl Comparison<'_> {
                 );
             }
             self.is_at_station(Station::Measuring, current);
+            let before = &self.setters.at_block;
+            let runs = before.spindle.flatten().is_some();
+            let fault = self.rules.fault_at_measuring(before, current.block, None);
+            self.found_state(current, fault);
+            if own.places.contains(&OwnPlace::CheckTool) && runs {
+                self.found(current, "the spindle is on where a tool is checked for breakage");
+            }
         }
     }
 

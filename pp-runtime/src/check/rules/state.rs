@@ -207,6 +207,30 @@ impl Rules<'_> {
             .or_else(|| still_on(block))
     }
 
+    /// What is wrong with the state that a plane, or a zero that follows the table, captures: that of the motions after it.
+    pub(crate) fn fault_at_capture(&self, block: &Block, required: &Required) -> Option<StateFault> {
+        let incremental = block.state.incremental == Some(true);
+        incremental
+            .then(|| StateFault::from("G91 is in force where a plane is tilted"))
+            .or_else(|| self.offsets(&block.state, required, false))
+    }
+
+    /// What is wrong with the state in which blocks of the shop measure: with a probe at its point after a motion of this state, or
+    /// the tool at the machine retract.
+    pub(crate) fn fault_at_measuring(
+        &self,
+        before: &State,
+        block: &Block,
+        probed: Option<&Required>,
+    ) -> Option<StateFault> {
+        let context = ModalContext { no_plane: probed.is_none(), ..ModalContext::default() };
+        let frame = if probed.is_some() { FrameUse::AsMeant } else { FrameUse::Without };
+        self.everywhere(before, Side::None, context)
+            .or_else(|| self.frame(&Block { state: *before, ..block.clone() }, frame))
+            .map(StateFault::from)
+            .or_else(|| self.offsets(before, probed?, true))
+    }
+
     /// Whether the spindle is in a state.
     pub(crate) fn spindle_is(&self, state: &State, required: Option<SpindleState>) -> bool {
         spindle(state, required).is_none()

@@ -82,7 +82,7 @@ impl Guards {
     fn o_word(&mut self, line: &mut Line<'_>) -> bool {
         line.at.skip(1);
         let Some(label) = line.at.number().and_then(whole) else {
-            line.fault(0, "O word without a number");
+            line.unknown_text(0, line.at.rest());
             return false;
         };
         if line.at.word(b"if") {

@@ -81,9 +81,8 @@ impl Iso {
     /// `O1234 (NAME)`: where it is not the first block it begins another program.
     fn program_number(&mut self, line: &mut Line<'_>) -> bool {
         line.at.skip(1);
-        if line.at.number().and_then(whole).is_none() {
-            line.fault(0, "O word without a number");
-        } else if !line.at.ended() && line.at.peek() != Some(b'(') {
+        let numbered = line.at.number().and_then(whole).is_some();
+        if !numbered || !line.at.ended() && line.at.peek() != Some(b'(') {
             line.unknown_text(0, line.at.rest());
         } else if !line.at.ended() {
             comment(line);
