@@ -233,9 +233,12 @@ impl Comparison<'_> {
         let step = end.tip - hole.clearance_point().tip;
         let over = (step - end.axis * along(step)).norm() <= largest;
         let [from, to] = [segment.from.tip, segment.to.tip].map(|tip| along(end.tip - tip));
-        let on_axis = over && from.abs() + to.abs() <= along(segment.to.tip - segment.from.tip).abs() + largest;
-        let near = part.rapid && segment.axis_arc().distance(&end.axis) <= BOTH * rounding.axis_rad;
-        let done = if over && to.abs() <= largest { 1.0 } else { 0.0 };
+        let leans_rad = segment.axis_arc().distance(&end.axis);
+        // Words across the tool keep the level of a plane that leans as much.
+        let level = largest + leans_rad * segment.length();
+        let on_axis = over && from.abs() + to.abs() <= along(segment.to.tip - segment.from.tip).abs() + level;
+        let near = part.rapid && leans_rad <= BOTH * rounding.axis_rad;
+        let done = if over && to.abs() <= level { 1.0 } else { 0.0 };
         (near && (on_axis || segment.distance(end, 0.0) <= largest)).then_some(done)
     }
 
