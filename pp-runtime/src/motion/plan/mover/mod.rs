@@ -541,16 +541,36 @@ impl<'a, S: Sink> Mover<'a, S> {
         reached: ReachedPosition<'_>,
         inserted: Option<BlockReason>,
     ) -> Planned {
+        let (start, end) = (self.placer.written(self.position.place()), self.placer.written(to));
+        // Where the rotary axes are unknown, no way to the end is the shorter one.
+        let pieces = if self.position.knows_rotary_axes() { self.speller.pieces(&start, &end, mask) } else { 1 };
+        self.rapid_in_steps(to, mask, reached, inserted, pieces)
+    }
+
+    /// Rotates the rotary axes for an approach. Where they are unknown they may be where they were, and an axis that is half a
+    /// revolution from there goes in two steps.
+    pub(crate) fn rotate_for_approach(&mut self, to: &AxisPosition, mask: u16) -> Planned {
+        let (start, end) = (self.placer.written(self.position.place()), self.placer.written(to));
+        let unsure = !self.position.knows_rotary_axes() && self.position.has_moved();
+        if !(unsure && self.speller.is_half_turn(&start, &end, mask)) {
+            return self.rapid_alone(to, mask);
+        }
+        let reached = ReachedPosition { pose: None, mask, ..self.placer.state_at(to) };
+        self.rapid_in_steps(to, mask, reached, None, 2)
+    }
+
+    fn rapid_in_steps(
+        &mut self,
+        to: &AxisPosition,
+        mask: u16,
+        reached: ReachedPosition<'_>,
+        inserted: Option<BlockReason>,
+        pieces: i64,
+    ) -> Planned {
         let from = self.position.place();
         self.output.times_mut().rapid(self.placer.least_minutes_of(from, to, mask));
         let (start, end) = (self.placer.written(from), self.placer.written(to));
         let mut from = start;
-        // Where the rotary axes are unknown, no way to the end is the shorter one; they may be where they were.
-        let pieces = match self.position.knows_rotary_axes() {
-            true => self.speller.pieces(&start, &end, mask),
-            false if self.position.has_moved() && self.speller.is_half_turn(&start, &end, mask) => 2,
-            false => 1,
-        };
         for piece in 1..=pieces {
             let mut words = self.placer.words(to, mask);
             for index in (0..MAX_AXES).filter(|&index| mask & (1 << index) != 0) {

@@ -100,7 +100,7 @@ impl<S: Sink> Mover<'_, S> {
         // Where an axis is elsewhere than known, its word in the block rotates it.
         let all = plane || !self.position.knows_rotary_axes();
         self.clamps.open(&self.position.place().words, &above.words, all, &mut self.output)?;
-        self.rapid_alone(above, rotary)?;
+        self.rotate_for_approach(above, rotary)?;
         if let Some(TipEntry { words, frame: of_words }) = entry {
             if let Some([on, _]) = of_words {
                 self.output.step(&on)?;
