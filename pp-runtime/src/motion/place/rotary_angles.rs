@@ -103,7 +103,10 @@ impl Placer {
             rotary.degrees_for_display(word, scale),
             scale.degrees(step)
         ))
-        .help("move the tool axis of the operation to a step in CAM, or increase `axis_tolerance` in [course]")
+        .help(
+            "move the tool axis of the operation to a step in CAM; to move it to a step at the pole, increase \
+             `axis_tolerance` in [course]",
+        )
     }
 
     /// The fault that words of the course do not give a tool axis: an indexed axis is at a step there.

@@ -205,8 +205,7 @@ impl Placer {
         }
         let degrees = off.to_degrees();
         let text = format_args!("the steps of the indexed axes are {degrees:.4}° off the tool axis of this plane");
-        Err(Fault::new(text)
-            .help("move the tool axis of the operation to a step in CAM, or post it with `mode = \"axes\"`"))
+        Err(Fault::new(text).help("move the tool axis of the operation to a step in CAM"))
     }
 
     /// Which of the possible poses of a plane this position is, according to a rule: see [`PoseRule::choose`].

@@ -146,7 +146,7 @@ impl TravelCheck {
                 "{} would have to move to machine coordinate {coordinate:.3} mm, its limits are {:.3} to {:.3} mm",
                 axis.letter, limits.lower, limits.upper
             ))
-            .help("correct `retract.position`, `park` or the limits in the configuration")),
+            .help("correct `retract.position` or the limits in the configuration")),
             _ => Ok(()),
         }
     }
