@@ -65,7 +65,7 @@ impl CutterCompensation {
     /// CUTCOM/LEFT, RIGHT or ON.
     fn begin(&mut self, asked: CutterSide, register: Option<u32>) -> Result<(), Fault> {
         let side = if asked == CutterSide::On {
-            self.last.ok_or_else(|| Fault::new("CUTCOM/ON without a side").help("give CUTCOM/LEFT or CUTCOM/RIGHT"))?
+            self.last.ok_or_else(|| Fault::new("CUTCOM/ON without a side"))?
         } else {
             asked
         };
@@ -363,11 +363,10 @@ fn switch<S: Sink>(planner: &mut Planner<'_, S>, on: bool) -> Planned {
 
 /// Register of the radius of the tool.
 fn radius_register<S: Sink>(planner: &Planner<'_, S>) -> Result<u32, Fault> {
-    let number = planner
-        .tooling
-        .current()
-        .map(|tool| tool.number)
-        .ok_or_else(|| Fault::new("CUTCOM before the first tool call"))?;
+    let Some(tool) = planner.tooling.current() else {
+        return Err(Fault::new("CUTCOM before the first tool call"));
+    };
+    let number = tool.number;
     let given =
         planner.policy.set_up.tools.get(&number).and_then(|tool| tool.radius_offset).or(planner.cutter.register);
     if let Some(given) =

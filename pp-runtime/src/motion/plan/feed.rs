@@ -157,9 +157,9 @@ impl Feeds {
     pub(crate) fn per_minute(feed: program::Feed, speed_rev_per_min: Option<f64>) -> Result<f64, Fault> {
         match feed {
             program::Feed::PerMinute(value) => Ok(value),
-            program::Feed::PerRevolution(value) => speed_rev_per_min.map(|speed| value * speed).ok_or_else(|| {
-                Fault::new("a feed per revolution needs the spindle speed").help("give SPINDL/RPM before it")
-            }),
+            program::Feed::PerRevolution(value) => speed_rev_per_min
+                .map(|speed| value * speed)
+                .ok_or_else(|| Fault::new("a feed per revolution needs the spindle speed")),
         }
     }
 

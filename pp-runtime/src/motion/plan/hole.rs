@@ -428,7 +428,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             ));
         };
         let Some((_, rotation)) = self.planner.spindle.running() else {
-            return Err(Fault::new("boring with the spindle off").help("give SPINDL/ON before it"));
+            return Err(Fault::new("boring with the spindle off"));
         };
         let degrees = orient_rad.to_degrees();
         if !can.states_angle && degrees.abs() > NO_ORIENT_ANGLE_DEG {
@@ -452,7 +452,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     /// The tapping cycle at the spindle speed as written.
     fn thread(&self, pitch: Option<f64>) -> Result<CannedKind, Fault> {
         let Some((rev_per_min, rotation)) = self.planner.spindle.running() else {
-            return Err(Fault::new("tapping with the spindle off").help("give SPINDL/ON before it"));
+            return Err(Fault::new("tapping with the spindle off"));
         };
         let stated = match self.hole.feed {
             Some(Programmed::PerRevolution(pitch)) => Some(pitch),
@@ -460,10 +460,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             None => None,
         };
         let pitch = pitch.or(stated).filter(|pitch| *pitch > 0.0);
-        let pitch = pitch.ok_or_else(|| {
-            Fault::new("the pitch of this thread is unknown")
-                .help("give the feed of the cycle per revolution (MMPR, IPR)")
-        })?;
+        let pitch = pitch.ok_or_else(|| Fault::new("the pitch of this thread is unknown"))?;
         let too_large = |_| Fault::new("the pitch or the spindle speed of this thread is too large for a word");
         let exact = pitch / self.planner.mover.feeds().unit_mm();
         let pitch = Decimal::fixed(exact, self.planner.abilities.cycles.pitch_decimals).map_err(too_large)?;

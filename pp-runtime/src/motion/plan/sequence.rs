@@ -404,7 +404,7 @@ impl<S: Sink> Planner<'_, S> {
         let mode = self.modes.enter();
         self.mover.set_mode(mode);
         match self.usable.missing(mode) {
-            Some(text) => Err(Fault::new(text).help("or post this program with `mode = \"axes\"`")),
+            Some(text) => Err(Fault::new(text)),
             None => Ok(()),
         }
     }
