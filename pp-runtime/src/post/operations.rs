@@ -123,7 +123,7 @@ impl OperationNames {
             OperationChoice::Pattern(_) => return None,
         };
         let help = match (near, operations) {
-            (_, 0) => "remove it: the CL data has no motion".to_owned(),
+            (_, 0) => "remove it: the CL data has no motion after a tool call".to_owned(),
             (Some(near), _) => format!("did you mean `{near}`? The operations are {}", self.listed()),
             (None, _) => format!("the operations are {}", self.listed()),
         };
