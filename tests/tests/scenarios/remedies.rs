@@ -17,23 +17,25 @@ use crate::job::{Chosen, Job};
 use crate::program::{difference, is_like, unnumbered};
 
 /// Sources whose hints are followed: folders and files.
-const SOURCES: [&str; 8] = [
-    "pp-runtime/src/cl",
-    "pp-runtime/src/motion/place/mod.rs",
-    "pp-runtime/src/motion/plan/arcs.rs",
-    "pp-runtime/src/motion/plan/coolant.rs",
-    "pp-runtime/src/motion/plan/operation.rs",
-    "pp-runtime/src/motion/plan/tool.rs",
-    "pp-runtime/src/motion/source/mod.rs",
-    "pp-runtime/src/motion/source/settings.rs",
-];
+const SOURCES: [&str; 4] =
+    ["pp-runtime/src/cl", "pp-runtime/src/motion", "pp-runtime/src/post", "pp-runtime/src/set_up"];
 
 /// Hints that no case can follow, and why.
-const NOT_FOLLOWED: [(&str, &str); 4] = [
+const NOT_FOLLOWED: [(&str, &str); 14] = [
     ("output the CL data as text (APT source, CLS)", "a scenario is text"),
     ("whether its line ends were lost", "a statement of a megabyte"),
     ("output one file for each set-up", "a file with a hundred frames"),
     ("post the operations of this file as several files", "subprograms of eight megabytes"),
+    ("check the tool numbers in the CAM system; if the file", "more than a thousand tools"),
+    ("post the CL data in parts", "a course whose changes fill the memory"),
+    ("this is a fault of the postprocessor", "no job is known that leads to it"),
+    ("retract before this point and start a new operation, or rotate", "the course of a program rewinds before it"),
+    ("mill the thread", "every control that is built in has a tapping cycle"),
+    ("give `[tools.N] length`", "a machine with rotary axes in the head and in the table"),
+    ("measure {them} at the machine", "a machine with a dimension that has no default"),
+    ("`{name} = ...`", "the same hint"),
+    ("move this axis to its positions by hand", "of `explain --proof-program`, which has no CL data"),
+    ("give it in the configuration: `[limits]", "of `explain --proof-program`, which has no CL data"),
 ];
 
 /// Begin of the hints that ask for nothing: they are given again.
