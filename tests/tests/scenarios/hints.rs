@@ -88,6 +88,7 @@ struct Function {
 
 /// A constant.
 struct Constant {
+    file: PathBuf,
     name: String,
     value: Vec<TokenTree>,
 }
@@ -273,7 +274,8 @@ impl Sources {
             let is_const = is_word(tokens.get(at), "const") || is_word(tokens.get(at), "static");
             if let (true, Some(name), Some(equals)) = (is_const, &name, equals) {
                 let end = (equals..tokens.len()).find(|&at| is_mark(tokens.get(at), ';')).unwrap_or(tokens.len());
-                self.constants.push(Constant { name: name.clone(), value: tokens[equals + 1..end].to_vec() });
+                let (file, value) = (self.functions[within].file.clone(), tokens[equals + 1..end].to_vec());
+                self.constants.push(Constant { file, name: name.clone(), value });
                 at = end;
                 continue;
             }
@@ -361,7 +363,10 @@ impl Found<'_> {
                 } else if name == "help" && is_method {
                     args.iter().for_each(|help| self.take(help, of, 0));
                 } else if !is_word(before(2), "fn") && name != "new" {
-                    for index in self.sources.named(&name, is_method, of) {
+                    let takes_as_many = |index: &usize| self.sources.functions[*index].params.len() == args.len();
+                    let called: Vec<usize> =
+                        self.sources.named(&name, is_method, of).into_iter().filter(takes_as_many).collect();
+                    for index in called {
                         for (place, arg) in args.iter().enumerate() {
                             if self.takers.contains(&(index, place)) {
                                 self.take(arg, of, 0);
@@ -393,6 +398,12 @@ impl Found<'_> {
                 if let Some(place) = names.iter().position(|name| name == "help") {
                     self.take_of_tuples(&tokens[at + 3..end], (place, names.len()), of, 0);
                 }
+            }
+            // A field without its value: `Diagnostic { text, help }`.
+            if is_group(tree, Delimiter::Brace) {
+                let inner = inside(tree);
+                let short = parts(&inner).into_iter().filter(|part| part.len() == 1 && is_word(part.first(), "help"));
+                short.for_each(|help| self.take(help, of, 0));
             }
             if matches!(tree, TokenTree::Group(_)) {
                 self.look_through(&inside(tree), of);
@@ -434,16 +445,22 @@ impl Found<'_> {
             match tree {
                 TokenTree::Literal(literal) if !is_pattern => {
                     if let Some(text) = text_of(&literal.to_string()) {
+                        // The braces of a text that is no template.
+                        let text = text.replace('{', "{{").replace('}', "}}");
                         let line = literal.span().start().line;
                         self.add(&text, line, of, depth, is_part);
                     }
                 }
-                TokenTree::Ident(name) if (name == "format" || name == "write") && is_mark(next, '!') => {
+                TokenTree::Ident(name) if FORMATS.iter().any(|format| name == format) && is_mark(next, '!') => {
                     // What is shown in the text is no hint.
                     let args = tokens.get(at + 2).map(inside).unwrap_or_default();
-                    let template = args.iter().position(|tree| matches!(tree, TokenTree::Literal(_)));
-                    let end = template.map_or(0, |at| at + 1);
-                    self.take_texts(&args[..end], of, depth, is_part);
+                    let template = args.iter().find_map(|tree| match tree {
+                        TokenTree::Literal(literal) => Some((text_of(&literal.to_string())?, literal)),
+                        _ => None,
+                    });
+                    if let Some((text, literal)) = template {
+                        self.add(&text, literal.span().start().line, of, depth, is_part);
+                    }
                     at += 2;
                 }
                 // Its arguments are looked through where it is called.
@@ -506,7 +523,9 @@ impl Found<'_> {
             return;
         }
         if name.chars().all(|letter| letter.is_ascii_uppercase() || letter == '_' || letter.is_ascii_digit()) {
-            let known = sources.constants.iter().find(|constant| constant.name == name);
+            let named = || sources.constants.iter().filter(|constant| constant.name == name);
+            let of_file = named().find(|constant| constant.file == sources.functions[of].file);
+            let known = of_file.or_else(|| named().next());
             let value = known.map(|constant| constant.value.clone());
             value.into_iter().for_each(|value| self.take_texts(&value, of, depth + 1, is_part));
             return;
@@ -555,6 +574,9 @@ impl Found<'_> {
 
 /// Words of the language after which a parenthesis is no call.
 const KEYWORDS: [&str; 6] = ["return", "else", "in", "match", "if", "let"];
+
+/// Macros whose text is a template.
+const FORMATS: [&str; 3] = ["format", "format_args", "write"];
 
 /// Methods that return the text itself.
 const AS_TEXT: [&str; 6] = ["into", "to_owned", "to_string", "clone", "as_str", "as_deref"];

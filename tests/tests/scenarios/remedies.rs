@@ -21,7 +21,7 @@ const SOURCES: [&str; 4] =
     ["pp-runtime/src/cl", "pp-runtime/src/motion", "pp-runtime/src/post", "pp-runtime/src/set_up"];
 
 /// Hints that no case can follow, and why.
-const NOT_FOLLOWED: [(&str, &str); 14] = [
+const NOT_FOLLOWED: [(&str, &str); 15] = [
     ("output the CL data as text (APT source, CLS)", "a scenario is text"),
     ("whether its line ends were lost", "a statement of a megabyte"),
     ("output one file for each set-up", "a file with a hundred frames"),
@@ -34,6 +34,7 @@ const NOT_FOLLOWED: [(&str, &str); 14] = [
     ("give `[tools.N] length`", "a machine with rotary axes in the head and in the table"),
     ("measure {them} at the machine", "a machine with a dimension that has no default"),
     ("`{name} = ...`", "the same hint"),
+    ("{machine} has no rotary axis", "a machine without rotary axes"),
     ("move this axis to its positions by hand", "of `explain --proof-program`, which has no CL data"),
     ("give it in the configuration: `[limits]", "of `explain --proof-program`, which has no CL data"),
 ];
@@ -232,8 +233,12 @@ fn not_tried<'h>(hint: &'h Hint, cases: &[&Case]) -> Vec<&'h str> {
 
 /// Hints of the sources that no case follows, and cases whose hint is not found in the sources.
 pub(crate) fn without_case(cases: &[Case]) -> Vec<String> {
-    let hints: BTreeSet<Hint> = SOURCES.iter().flat_map(|path| hints(&workspace().join(path))).collect();
-    let all = crate::hints::hints(&workspace().join("pp-runtime/src"));
+    // Functions that take a hint may be elsewhere.
+    let all = hints(&workspace().join("pp-runtime/src"));
+    let is_source = |place: &str| {
+        SOURCES.iter().any(|path| place.strip_prefix(path).is_some_and(|rest| rest.starts_with(['/', ':'])))
+    };
+    let hints: BTreeSet<&Hint> = all.iter().filter(|hint| is_source(&hint.place)).collect();
     let mut followed: Vec<(&Case, &String)> = Vec::new();
     for case in cases {
         let has = |kind: Kind| case.blocks.iter().any(|block| block.kind == kind && block.line > case.line);
