@@ -16,9 +16,16 @@ use crate::hints::{Hint, hints};
 use crate::job::{Chosen, Job};
 use crate::program::{difference, is_like, unnumbered};
 
-/// Sources whose hints are followed: folders and files.
-const SOURCES: [&str; 4] =
-    ["pp-runtime/src/cl", "pp-runtime/src/motion", "pp-runtime/src/post", "pp-runtime/src/set_up"];
+/// Sources whose hints are followed: folders or files.
+const SOURCES: [&str; 7] = [
+    "pp-runtime/src/cl",
+    "pp-runtime/src/config",
+    "pp-runtime/src/control",
+    "pp-runtime/src/keys",
+    "pp-runtime/src/motion",
+    "pp-runtime/src/post",
+    "pp-runtime/src/set_up",
+];
 
 /// Hints that no case can follow, and why.
 const NOT_FOLLOWED: [(&str, &str); 15] = [
