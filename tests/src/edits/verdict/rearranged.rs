@@ -70,6 +70,12 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     if in_parts(&|whole, parts| is_arc_in_parts(whole, parts, allowed)) {
         return undecided("an arc in two parts");
     }
+    if in_one_of_both(&|events| is_way_out_before_stop(events, index)) {
+        return undecided("a part of the retract before a stop");
+    }
+    if in_one_of_both(&|events| is_parked_twice(events, index)) {
+        return undecided("axes park twice");
+    }
     if let Some(count) = is_parked_in_another_order(was, is, index)
         && all_agree(&was[index + count..], &is[index + count..])
     {
@@ -136,6 +142,28 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
         }
     }
     None
+}
+
+/// Whether a rapid along the tool leads out before a stop, after which a retract leads on.
+fn is_way_out_before_stop(events: &[Event<'_>], index: usize) -> bool {
+    let Some((out, rest)) = events.get(index..).and_then(<[_]>::split_first) else { return false };
+    let stops = rest.iter().take_while(|event| event.block.effect.stops()).count();
+    let retract = rest.get(stops).filter(|event| event.block.effect == Effect::Machine);
+    out.block.effect == Effect::Rapid
+        && stops > 0
+        && out.block.words.len() == 1
+        && retract.is_some_and(|retract| retract.block.words.letters().eq(out.block.words.letters()))
+}
+
+/// Whether axes go to machine coordinates to which they go once more after the same cut, and nothing but such motions is between.
+fn is_parked_twice(events: &[Event<'_>], index: usize) -> bool {
+    let idle = |event: &&Event<'_>| {
+        let rotates = event.block.effect == Effect::Rapid && event.block.words.letters().all(is_rotary);
+        rotates || event.block.effect == Effect::Machine || !event.block.effect.moves()
+    };
+    let Some(event) = events.get(index).filter(|event| event.block.effect == Effect::Machine) else { return false };
+    let mut others = events[index + 1..].iter().take_while(idle).chain(events[..index].iter().rev().take_while(idle));
+    others.any(|other| other.block.effect == Effect::Machine && other.block.words == event.block.words)
 }
 
 /// Whether an event is a wait, and nothing is cut before the next one.
