@@ -67,7 +67,7 @@ impl Comparison<'_> {
         let wet = || self.progress.next().is_some_and(|item| item.required.coolant != 0);
         let dry = || block.state.coolant == Some(0) && wet();
         if rapid
-            && (dry() || rapids_at_feed && !self.ends_rapid(&end) || self.is_within_next_cut(cutting, &end))
+            && (dry() || rapids_at_feed && !self.ends_rapid(&end))
             && !self.progress.is_approached()
             && let Some(leaving) = self.retract(cutting, current, &end)?
         {
@@ -91,16 +91,6 @@ impl Comparison<'_> {
         cutting.here = Some(end);
         self.arrived = true;
         Ok(None)
-    }
-
-    /// Whether a pose is between the ends of the next motion, a cut: it may lead out along the tool axis, too.
-    fn is_within_next_cut(&self, cutting: &Cutting, end: &ToolPose) -> bool {
-        let cut = self.progress.motion().filter(|motion| !motion.rapid && !motion.starts);
-        cut.is_some_and(|motion| {
-            let segment = self.progress.segment(motion, cutting.here.as_ref(), end);
-            let is_at_end = [&segment.from, &segment.to].into_iter().any(|at| self.rules.is_at(end, at));
-            !is_at_end && segment.distance(end, 0.0) <= BOTH * self.rules.rounding().tip_mm
-        })
     }
 
     /// Whether a pose is the end of the next motion, a rapid.
