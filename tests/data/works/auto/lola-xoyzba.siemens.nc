@@ -39,11 +39,6 @@ M6
 T2
 SUPA G0 Z0 D0
 D1
-IF ABS($P_TOOLL[1]-110)>0.01
-MSG("T1 was posted with L = 110: the length in the tool data differs")
-M0
-M30
-ENDIF
 S4000 M3
 G0 A0 B0
 X12 Y0
@@ -71,11 +66,6 @@ M9
 SUPA G0 Z0 D0
 ; T1 stays in the spindle
 D1
-IF ABS($P_TOOLL[1]-110)>0.01
-MSG("T1 was posted with L = 110: the length in the tool data differs")
-M0
-M30
-ENDIF
 S4000 M3
 G0 A-15.7987 B19.6289
 CYCLE800(0,"",0,57,0,0,0,-16.7205,18.8588,0,0,0,0,1,0)
@@ -108,11 +98,6 @@ M6
 T1
 SUPA G0 Z0 D0
 D1
-IF ABS($P_TOOLL[1]-130)>0.01
-MSG("T2 was posted with L = 130: the length in the tool data differs")
-M0
-M30
-ENDIF
 S2500 M3
 G0 A-15.7987 B19.6289
 CYCLE800(0,"",0,57,0,0,0,-16.7205,18.8588,0,0,0,0,1,0)
@@ -165,11 +150,6 @@ M6
 T3
 SUPA G0 Z0 D0
 D1
-IF ABS($P_TOOLL[1]-110)>0.01
-MSG("T1 was posted with L = 110: the length in the tool data differs")
-M0
-M30
-ENDIF
 S4000 M3
 G0 A9.752 B23.9854
 TRAORI
@@ -219,11 +199,6 @@ M6
 T1
 SUPA G0 Z0 D0
 D1
-IF ABS($P_TOOLL[1]-95)>0.01
-MSG("T3 was posted with L = 95: the length in the tool data differs")
-M0
-M30
-ENDIF
 S500 M3
 G0 A0 B0
 X-30 Y20
