@@ -364,6 +364,10 @@ pub struct ShopBlocks {
     pub own_safety: bool,
     /// Every tool of known length is guarded: largest difference of the length in the control, mm.
     pub length_guard_mm: Option<f64>,
+    /// The guard is needed only where words are positions of axes that have rotated.
+    pub guards_rotated_axes_only: bool,
+    /// Such words lead to tip control as well.
+    pub guards_tip_control: bool,
     /// Rotary positions are compared after each plane call, where the control can.
     pub guards_planes: bool,
     /// Smoothing in cuts.

@@ -4,7 +4,7 @@
 use nalgebra::Vector3;
 
 use super::super::expect::{Required, RequiredSmoothing};
-use super::super::policy::SmoothingLevel;
+use super::super::policy::{LinearMeaning, SmoothingLevel};
 use super::super::read::{
     Action, BlankPart, Block, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords,
     State, stated,
@@ -162,10 +162,20 @@ impl FunctionState {
     }
 
     /// What is missing where an operation begins.
-    pub(super) fn start(&mut self, rules: &Rules<'_>, required: &Required) -> Vec<String> {
+    pub(super) fn start(&mut self, rules: &Rules<'_>, required: &Required, block: &Block) -> Vec<String> {
         let blank = self.blank_fault(rules).map(str::to_owned);
-        let guard = match (rules.policy().shop.length_guard_mm, required.gauge_length_mm, required.tool) {
-            (Some(_), Some(length), Some(tool)) if guarded(rules, required).is_some() && self.guard.is_none() => {
+        let policy = rules.policy();
+        // Where the program chooses the meaning of its words, the length matters in positions of rotated axes only.
+        let positions = match rules.meaning() {
+            LinearMeaning::AxisPositions => true,
+            LinearMeaning::TipCoordinates => policy.shop.guards_tip_control,
+            LinearMeaning::PlaneCoordinates => false,
+        };
+        let matters = !policy.shop.guards_rotated_axes_only || positions && !rules.are_at_zero(block);
+        let guard = match (policy.shop.length_guard_mm, required.gauge_length_mm, required.tool) {
+            (Some(_), Some(length), Some(tool))
+                if matters && guarded(rules, required).is_some() && self.guard.is_none() =>
+            {
                 Some(format!("the length guard of T{tool}, length {length} mm, is missing after the restart point"))
             }
             _ => None,

@@ -866,7 +866,7 @@ impl Comparison<'_> {
             self.found(current, "operation starts without the machine retract after its restart point");
         }
         if let Some(required) = self.progress.next().map(|item| Rc::clone(&item.required)) {
-            for fault in self.functions.start(&self.rules, &required) {
+            for fault in self.functions.start(&self.rules, &required, current.block) {
                 self.found(current, &fault);
             }
         }

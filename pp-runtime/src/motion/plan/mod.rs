@@ -393,17 +393,6 @@ impl<'a, S: Sink> Planner<'a, S> {
         if self.modes.changes() && !motion.rapid { self.change_mode(motion) } else { Ok(()) }
     }
 
-    /// Whether the length of each tool is compared where the configuration does not say: words of a machine with a rotary axis in
-    /// the head may be positions of its axes, or lead to tip control as such.
-    fn guards_length(&self) -> bool {
-        let positions = match self.policy.options.mode_of_all() {
-            None | Some(StretchMode::Axes) => true,
-            Some(StretchMode::Tcp) => self.abilities.enters_tip_control_by_axes(),
-            Some(StretchMode::Plane) => false,
-        };
-        self.mover.placer().needs_gauge_length(positions).is_some()
-    }
-
     /// Reason why the words of the program depend on tool lengths; `None` if they do not.
     fn needs_gauge_length(&self) -> Option<&'static str> {
         let modes = self.modes.modes();

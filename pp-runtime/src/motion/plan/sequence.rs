@@ -271,7 +271,7 @@ impl<S: Sink> Planner<'_, S> {
             return Ok(());
         }
         self.mover.output_mut().step(&Step::Length { offset: tool.offset })?;
-        let guarded = self.policy.options.guards.length_guard.unwrap_or_else(|| self.guards_length());
+        let guarded = self.policy.options.guards.length_guard.unwrap_or(self.needs_gauge_length().is_some());
         let label = self.mover.restarts();
         if let Some(length) = tool.length_mm.filter(|_| guarded) {
             let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance_mm, tool.offset, tool.number);
