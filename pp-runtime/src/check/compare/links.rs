@@ -176,7 +176,7 @@ impl Comparison<'_> {
             self.found(current, "the approach before this block does not end at an approach point");
         }
         if let Some(rewind) = &retracted.rewind {
-            self.wet_retract(rewind, current);
+            self.found_wet(rewind.wet, current);
         }
     }
 
@@ -785,16 +785,11 @@ impl Comparison<'_> {
         if rewind.finished.is_none() || !begins && self.above(&rewind, end).is_some() {
             return Some(rewind);
         }
-        self.wet_retract(&rewind, current);
+        self.found_wet(rewind.wet, current);
         None
     }
 
-    /// A retract with coolant, although the cut does not continue.
-    fn wet_retract(&mut self, rewind: &RewindPoint, current: &Current<'_>) {
-        self.found_wet(rewind.wet, current);
-    }
-
-    /// The same, where the coolant was `wet`.
+    /// A retract with coolant, if it was `wet`, although the cut does not continue.
     pub(super) fn found_wet(&mut self, wet: bool, current: &Current<'_>) {
         if wet {
             self.found(current, "coolant was on in the retract before this block, expected off");

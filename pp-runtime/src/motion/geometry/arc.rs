@@ -382,7 +382,7 @@ mod tests {
                 let known: Vec<f64> = parts.map(|part| round.tip(part)[axis]).collect();
                 let least = known.iter().copied().fold(f64::MAX, f64::min);
                 let most = known.iter().copied().fold(f64::MIN, f64::max);
-                // An extreme within 1e-6 rad of an end may be one of the two by rounding: 7 mm * 1e-12 / 2.
+                // A rise of 1e-10 mm moves an extreme over an end of the arc, where the radius changes by `wider`.
                 prop_assert!((lowest[axis] - least).abs() < 4e-12, "{axis}: {} {least}", lowest[axis]);
                 prop_assert!((highest[axis] - most).abs() < 4e-12, "{axis}: {} {most}", highest[axis]);
             }
