@@ -166,7 +166,7 @@ pub(super) struct Shown<'t> {
 }
 
 /// Figures and findings while a program is compared.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Tally {
     outcome: Outcome,
     causes: Vec<Cause>,
@@ -174,10 +174,12 @@ pub(super) struct Tally {
     by_text: HashMap<String, usize>,
     /// Faults of the last block, which the next one may have, too.
     runs: Vec<Run>,
+    /// Largest deviations of the tip at the end of a block and along one, mm, without those of the block at hand.
+    put_aside: (f64, f64),
 }
 
 /// One fault of several blocks in a row.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Run {
     found: Finding,
     kind: String,
@@ -192,7 +194,7 @@ const MOST_RUNS: usize = 32;
 const LOST: &str = "lost";
 
 /// Findings of one cause.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 struct Cause {
     listed: Vec<Finding>,
     /// First finding that is not listed, and how many there are.
@@ -250,18 +252,19 @@ impl Tally {
         self.outcome.path_mm
     }
 
-    /// Largest deviation of the tip since the last call, mm; `None` if none has been measured.
-    pub(super) fn take_deviation(&mut self, (tip_mm, path_mm): (f64, f64)) -> Option<f64> {
+    /// Largest deviation of the tip since they have been put aside, mm; `None` if none has been measured.
+    pub(super) fn take_deviation(&mut self) -> Option<f64> {
         let Outcome { tip_mm: tip, path_mm: path, .. } = &mut self.outcome;
         let found = tip.max(*path);
+        let (tip_mm, path_mm) = std::mem::take(&mut self.put_aside);
         (*tip, *path) = (tip.max(tip_mm), path.max(path_mm));
         (found >= 0.0).then_some(found)
     }
 
     /// Puts the deviations of the tip aside, for [`take_deviation`](Self::take_deviation).
-    pub(super) fn put_aside_deviations(&mut self) -> (f64, f64) {
+    pub(super) fn put_aside_deviations(&mut self) {
         let Outcome { tip_mm, path_mm, .. } = &mut self.outcome;
-        (std::mem::replace(tip_mm, -1.0), std::mem::replace(path_mm, -1.0))
+        self.put_aside = (std::mem::replace(tip_mm, -1.0), std::mem::replace(path_mm, -1.0));
     }
 
     /// Adds a finding about a point outside the limits of an axis.

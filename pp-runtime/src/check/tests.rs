@@ -353,6 +353,30 @@ RETRCT
     }
 }
 
+/// A rapid of the CL data leads up the tool axis and a cut down again, and the table is rewound: the tool comes back over the cut
+/// before the rapid as well as over the one after it. What follows tells them apart.
+#[test]
+fn a_rewind_beside_a_rapid_out_and_a_cut_back_is_read_by_what_follows() {
+    let data = "UNITS/MM
+LOADTL/1
+SPINDL/RPM,1000,CLW
+FEDRAT/500
+RAPID
+GOTO/10,0,50,-0.492403877,0.086824089,0.866025404
+GOTO/10,0,0
+GOTO/10,0,0,-0.499314767,-0.026167978,0.866025404
+RAPID
+GOTO/-14.96573835,-1.3083989,43.3012702
+GOTO/10,0,0
+GOTO/10,0,0,-0.497260948,-0.052264232,0.866025404
+";
+    for distance in [40, 50, 60] {
+        let set_up = format!("limits = {{ C = [-183.3, 183.3] }}\nretract = {{ distance = {distance} }}\n");
+        let program = posted_right::<Tables>("fanuc", Mode::Axes, &set_up, data);
+        assert!(program.contains("\nG0 C-"), "{program}");
+    }
+}
+
 /// Down along the tool to a hole lies one more unit across: a rapid in two blocks ends in both of them.
 #[test]
 fn the_last_unit_of_a_split_rapid_belongs_to_it() {

@@ -1,8 +1,7 @@
 //! Blocks at the part.
 //!
-//! A block is one of these, in this order: a retract along the tool axis where the coolant or the form of rapids shows it; a
-//! lift over a hole for the next cycle; the way back after a rewind; the rest of a finished motion; a part of the next
-//! motion; a step of a rapid; a retract along the tool axis.
+//! A block is one of these, in this order: a lift over a hole for the next cycle; the way back after a rewind; the rest of a
+//! finished motion; a part of the next motion; a step of a rapid; a retract along the tool axis.
 
 use std::f64::consts::PI;
 use std::io;
@@ -25,7 +24,7 @@ use crate::program::{Drilling, Feed, Location};
 use crate::shortcut::Shortcut;
 
 /// Largest number of motions ahead without a block that are looked through for the one that a block begins.
-const MOST_NEEDLESS: usize = 16;
+pub(super) const MOST_NEEDLESS: usize = 16;
 
 impl Comparison<'_> {
     /// A block at the part without an approach.
@@ -59,22 +58,15 @@ impl Comparison<'_> {
         self.stays_in_plane(current);
         let end = self.rules.pose(block);
         let rapid = block.action.is_rapid();
-        let rapids_at_feed = self.rules.policy().links.rapid == RapidForm::Feed;
-        if cutting.back.is_none() {
-            cutting.perhaps_retract = if rapid { self.rapid_or_retract(cutting, &end) } else { None };
-        }
-        // Where rapids of the CL data are feed motions, or it asks for coolant, a dry rapid at the part is none of them.
-        let wet = || self.progress.next().is_some_and(|item| item.required.coolant != 0);
-        let dry = || block.state.coolant == Some(0) && wet();
-        if rapid
-            && (dry() || rapids_at_feed && !self.ends_rapid(&end))
-            && !self.progress.is_approached()
+        if self.may_lead_out(cutting, block, &end)
+            && self.is_other_way()
             && let Some(leaving) = self.retract(cutting, current, &end)?
         {
+            self.keeps_rapids = true;
             return Ok(Some(Phase::Leaving(Box::new(leaving))));
         }
         // Motions that need no block may come before the hole.
-        let may_lift = rapid || rapids_at_feed;
+        let may_lift = rapid || self.rules.policy().links.rapid == RapidForm::Feed;
         let carried_out = may_lift && self.lifts_for_cycle(cutting, current, &end)
             || self.carry_out(cutting, current, &end)?
             || may_lift && self.lifts_for_cycle(cutting, current, &end);
@@ -91,11 +83,6 @@ impl Comparison<'_> {
         cutting.here = Some(end);
         self.arrived = true;
         Ok(None)
-    }
-
-    /// Whether a pose is the end of the next motion, a rapid.
-    fn ends_rapid(&self, end: &ToolPose) -> bool {
-        self.progress.motion().is_some_and(|motion| motion.rapid && self.rules.is_at(end, &motion.to))
     }
 
     /// Reads ahead over motions that need no block, to the item after them.
@@ -141,7 +128,7 @@ impl Comparison<'_> {
             return Ok(self.come_back_to_cut(cutting, &back, current, end));
         }
         while self.progress.repeats() {
-            self.pass_over(Some(&mut cutting.perhaps_retract));
+            self.progress.pass();
             self.progress.fill(2)?;
         }
         self.progress.fill(2)?;
@@ -180,7 +167,7 @@ impl Comparison<'_> {
             // A block that continues from the end of a motion belongs to a later one, and so does one with another feed.
             let belongs = || self.rules.is_at(end, &part.segment.to) && self.has_feed_of(here, (block, end), &part);
             if needless && (other || !belongs()) {
-                self.pass_over(Some(&mut cutting.perhaps_retract));
+                self.progress.pass();
                 continue;
             }
             let (arrival, words) = (self.progress.arrival(here, chords), &self.previous.words);
@@ -523,7 +510,7 @@ impl Comparison<'_> {
     /// Whether a block is the next rapid, and the retract before it no rewind: the cut was done.
     fn is_rapid_after_retract(&self, cutting: &Cutting, block: &Block, end: &ToolPose) -> bool {
         let suits = |motion: &ClMotion| motion.rapid && !motion.starts && self.rules.is_at(end, &motion.to);
-        let done = cutting.back.is_some() && cutting.finished.is_some() && cutting.perhaps_retract.is_none();
+        let done = cutting.back.is_some() && cutting.finished.is_some();
         done && block.action.is_rapid() && self.progress.motion().is_some_and(suits)
     }
 
@@ -538,12 +525,6 @@ impl Comparison<'_> {
         let block = current.block;
         // The cut was interrupted at a point that rounded words show.
         let at_end = self.rules.is_near(end, &back.to, [COMES_BACK; 2]);
-        if let (Action::Rapid, Some(item), true) = (block.action, cutting.perhaps_retract.take(), at_end) {
-            // It was no rewind but the retract before a rapid, and this is the rapid.
-            self.compare_state(current, &item.required);
-            cutting.back = None;
-            return true;
-        }
         if block.action.is_rapid() || !at_end {
             return false;
         }
@@ -579,6 +560,7 @@ impl Comparison<'_> {
             self.found_state(current, faults.into_iter().flatten().next());
         }
         cutting.back = None;
+        cutting.retract = RetractedLength::starting(self.progress.on_path(&back.to), 0.0);
         true
     }
 
@@ -717,16 +699,10 @@ impl Comparison<'_> {
         Ok(())
     }
 
-    /// The next rapid, if a block that ends there may also be the retract before it.
-    fn rapid_or_retract(&self, cutting: &Cutting, end: &ToolPose) -> Option<Box<ExpectedItem>> {
-        let here = cutting.here?;
-        let next = (0..).find(|index| !self.is_needless(*index, cutting.here.as_ref()));
-        let item = next.and_then(|index| self.progress.get(index))?;
-        let ExpectedAction::Motion(ClMotion { rapid: true, starts: false, to, .. }) = item.action else { return None };
-        if !self.rules.is_at(end, &to) {
-            return None;
-        }
-        self.rest_of_retract(cutting, &here, end).map(|_| Box::new(item.clone()))
+    /// Whether a rapid ends where a retract along the tool axis would.
+    pub(super) fn may_lead_out(&self, cutting: &Cutting, block: &Block, end: &ToolPose) -> bool {
+        let leads_out = |here: ToolPose| self.rest_of_retract(cutting, &here, end).is_some();
+        block.action.is_rapid() && cutting.back.is_none() && cutting.here.is_some_and(leads_out)
     }
 
     /// Rest of the retract along the tool axis and the pose after it, if the block ends there.
@@ -742,10 +718,7 @@ impl Comparison<'_> {
     /// The retract along the tool axis before the machine retract; `None` if the block is something else.
     fn retract(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose) -> io::Result<Option<Leaving>> {
         let Some(here) = cutting.here else { return Ok(None) };
-        while self.is_needless(0, cutting.here.as_ref()) {
-            self.pass_over(Some(&mut cutting.perhaps_retract));
-            self.progress.fill(2)?;
-        }
+        self.pass_needless_from(cutting.here.as_ref())?;
         let Some((rest, out)) = self.rest_of_retract(cutting, &here, end) else { return Ok(None) };
         self.missing_dwells(current, false);
         let rewind = self.rewind_point(cutting, Some(out), current.block);
@@ -753,12 +726,7 @@ impl Comparison<'_> {
         let context = ModalContext { dry, ..self.modal_context() };
         let fault = self.rules.fault_at_leave(current.block, self.progress.last(), context);
         self.found_state(current, fault);
-        Ok(Some(Leaving {
-            here: *end,
-            retract: cutting.retract.longer(rest),
-            rewind,
-            perhaps_retract: cutting.perhaps_retract.take(),
-        }))
+        Ok(Some(Leaving { here: *end, retract: cutting.retract.longer(rest), rewind }))
     }
 
     /// The point at which a retract interrupts the cut, if it does so. A cut that is done but for rounding may have to go on:

@@ -249,10 +249,7 @@ impl Comparison<'_> {
             // The spindle is on for the cut that comes.
             let rewind = retracted.rewind.as_ref();
             let finished = rewind.and_then(|rewind| rewind.finished.as_ref()).map(|finished| &finished.required);
-            // A rapid that was taken for done may be the retract before it, if the spindle goes on.
-            let runs = current.block.state.spindle.flatten().is_some();
-            let perhaps = retracted.perhaps_retract.as_deref().filter(|_| runs);
-            let next = self.progress.next().or(perhaps);
+            let next = self.progress.next();
             let cut = next.map(|item| &item.required).or(finished);
             let stands = retracted.parks || next.is_none() || self.is_station_due(current.block);
             let spindle = cut.filter(|_| !stands).and_then(|required| self.rules.spindle_in_cut(required));
@@ -419,20 +416,11 @@ impl Comparison<'_> {
         match phase {
             Phase::Cutting(cutting) => {
                 self.has_left(cutting, current);
-                Retracted {
-                    rewind: self.rewind_point(cutting, None, current.block),
-                    perhaps_retract: cutting.perhaps_retract.take(),
-                    ..Retracted::default()
-                }
+                Retracted { rewind: self.rewind_point(cutting, None, current.block), ..Retracted::default() }
             }
-            Phase::Leaving(leaving) => Retracted {
-                rewind: leaving.rewind.take(),
-                perhaps_retract: leaving.perhaps_retract.take(),
-                ..Retracted::default()
-            },
+            Phase::Leaving(leaving) => Retracted { rewind: leaving.rewind.take(), ..Retracted::default() },
             Phase::Retracted(retracted) => Retracted {
                 rewind: retracted.rewind.take(),
-                perhaps_retract: retracted.perhaps_retract.take(),
                 // The retract of the next operation: what rotates the axes after it is its approach.
                 parks: retracted.parks && !self.start.restarted,
                 stopped,
@@ -484,7 +472,6 @@ impl Comparison<'_> {
     /// A rapid from the retract position: one of the steps to the approach point.
     pub(super) fn approach(&mut self, retracted: &mut Retracted, current: &Current<'_>) -> io::Result<Option<Phase>> {
         self.fill_for_approach(current)?;
-        self.take_back_in_approach(retracted, current.block);
         let block = current.block;
         if std::mem::take(&mut retracted.plane_guard_due) {
             let missing = plane_guard::missing(&self.rules, &self.previous);
@@ -671,22 +658,24 @@ impl Comparison<'_> {
     /// The approach has ended.
     fn arrive(&mut self, retracted: &mut Retracted, current: &Current<'_>, end: &ToolPose) -> Cutting {
         let mut cutting = Cutting { here: Some(*end), ..Cutting::default() };
+        self.keeps_rapids = false;
         let rewind = self.rewind_of(retracted, end, current);
+        let rewind = rewind.filter(|_| !(self.is_over_next(end) && self.is_other_way()));
         if rewind.is_some() {
             self.functions.resume_cuts();
         } else {
             self.cuts_have_ended(current);
         }
         if let Some(rewind) = rewind {
-            cutting.perhaps_retract = retracted.perhaps_retract.take();
-            cutting.back = Some(Box::new(self.come_back(&rewind, current, end)));
+            let back = self.come_back(&rewind, current, end);
+            // A rapid of the CL data that has led out is done, and so is the way back to its end.
+            cutting.back = (!self.rules.is_at(end, &back.to)).then(|| Box::new(back));
             cutting.wet_retract = rewind.wet;
             cutting.finished = rewind.finished;
             return cutting;
         }
         self.progress.restart_motion();
         self.missing_dwells(current, true);
-        self.take_back_at_approach_point(retracted, end);
         let Some(starts) = self.progress.motion().map(|motion| motion.starts) else {
             self.found(current, "approach, but the CL data has no motion here");
             return cutting;
@@ -725,37 +714,9 @@ impl Comparison<'_> {
         self.progress.approach_point(index, motion, self.rules.policy().links.approach_mm)
     }
 
-    /// A rapid that was taken for done, and was the retract before it: the tool comes back to it.
-    fn take_back_in_approach(&mut self, retracted: &mut Retracted, block: &Block) {
-        let Some(item) = retracted.perhaps_retract.take() else { return };
-        if !matches!(item.action, ExpectedAction::Motion(_)) {
-            return;
-        }
-        // An operation begins with a complete state.
-        let elsewhere = match self.progress.next().map(|item| &item.action) {
-            Some(ExpectedAction::Motion(next)) => next.starts && !self.start.restarted,
-            _ => !parking::moves_rotary(&self.rules, &self.rules.policy().links.park, &self.previous, block),
-        };
-        if elsewhere {
-            self.progress.put_back(*item);
-            self.take_tool();
-        } else {
-            retracted.perhaps_retract = Some(item);
-        }
-    }
-
-    /// The same at the end of the approach.
-    fn take_back_at_approach_point(&mut self, retracted: &mut Retracted, end: &ToolPose) {
-        let Some(item) = retracted.perhaps_retract.take() else { return };
-        let Some(rapid) = item.motion().cloned() else { return };
-        let next = self.progress.motion();
-        if next.is_some_and(|next| self.rules.is_at(end, &self.approach_point(0, next))) {
-            return;
-        }
-        self.progress.put_back(*item);
-        if !self.rules.is_at(end, &self.approach_point(0, &rapid)) {
-            self.progress.take();
-        }
+    /// Whether a pose is the approach point of the next motion.
+    fn is_over_next(&self, end: &ToolPose) -> bool {
+        self.progress.motion().is_some_and(|next| self.rules.is_at(end, &self.approach_point(0, next)))
     }
 
     /// An approach to a hole leads straight over it: the lift from the last position and the way over are not needed.

@@ -42,21 +42,43 @@ use crate::kinematics::AnyMachine;
 use crate::program::{Location, Units};
 use crate::shortcut::Shortcut;
 use clear::KeepOut;
+use cutting::MOST_NEEDLESS;
 use functions::FunctionState;
 use phase::{Phase, Task};
 use progress::ClProgress;
 use shop_lines::ShopLines;
 use station::Station;
 
+/// Blocks after which it is decided which of two meanings a block had: it has been seen where the program goes on.
+const DECIDED: u32 = 48;
+
+/// Largest number of readings beside the best.
+const MOST_OTHERS: usize = 7;
+
 /// A program while it is compared.
+///
+/// A block can have two meanings: a rapid out along the tool axis is one of the CL data, or the retract before it; an approach
+/// ends over the cut that it interrupted, or over the next motion. What follows decides; until then each of them is a
+/// reading of its own.
 pub(super) struct Checker<'a> {
-    comparison: Comparison<'a>,
-    phase: Phase,
+    /// The reading with the fewest findings so far.
+    reading: Reading<'a>,
+    others: Vec<Reading<'a>>,
+    /// Blocks since the last of them has begun.
+    apart: u32,
     /// State after the last block that was shown to an observer.
     before: State,
 }
 
+/// One reading of a program.
+#[derive(Clone)]
+struct Reading<'a> {
+    comparison: Comparison<'a>,
+    phase: Phase,
+}
+
 /// Everything of a comparison that does not depend on the phase.
+#[derive(Clone)]
 struct Comparison<'a> {
     rules: Rules<'a>,
     progress: ClProgress<'a>,
@@ -88,6 +110,18 @@ struct Comparison<'a> {
     skippable: bool,
     /// The last line began a guard, whose text is its own.
     guarded: bool,
+    way: Way,
+    /// Rapids of the CL data to where the tool is are done by the next approach.
+    keeps_rapids: bool,
+}
+
+/// Which of two meanings a block has.
+#[derive(Debug, Clone, Copy, Default)]
+struct Way {
+    /// The block at hand has been found to have two.
+    two: bool,
+    /// It has the second.
+    other: bool,
 }
 
 /// Words and modes after the last block.
@@ -114,7 +148,7 @@ struct Previous {
 }
 
 /// The lines that have set parts of the state: a wrong value is reported there.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 struct Setters {
     before: State,
     /// State before the last block that may have set something.
@@ -208,13 +242,125 @@ impl<'a> Checker<'a> {
             probed: false,
             skippable: false,
             guarded: false,
+            way: Way::default(),
+            keeps_rapids: false,
         };
-        Self { comparison, phase: Phase::Unknown { stopped: false }, before: State::default() }
+        let reading = Reading { comparison, phase: Phase::Unknown { stopped: false } };
+        Self { reading, others: Vec::new(), apart: 0, before: State::default() }
     }
 
     /// Compares one block.
     pub(super) fn block(&mut self, block: &Block, text: &[u8]) -> io::Result<()> {
-        let Self { comparison, phase, .. } = self;
+        let second = self.reading.block_in_two_ways(block, text)?;
+        if self.others.is_empty() && second.is_none() { Ok(()) } else { self.block_of_others(second, block, text) }
+    }
+
+    /// The same for the other readings, of which the last block has begun `second`.
+    #[inline(never)]
+    fn block_of_others(&mut self, second: Option<Reading<'a>>, block: &Block, text: &[u8]) -> io::Result<()> {
+        let mut begun = second.is_some();
+        let mut readings: Vec<Reading<'a>> = second.into_iter().collect();
+        for mut other in std::mem::take(&mut self.others) {
+            let second = other.block_in_two_ways(block, text)?;
+            begun |= second.is_some();
+            readings.push(other);
+            readings.extend(second);
+        }
+        self.apart = if begun { 0 } else { self.apart + 1 };
+        // The first of those with the fewest findings is the best so far.
+        let fewest = readings.iter().map(Reading::count).min().unwrap_or_default();
+        let best = readings.iter().position(|reading| reading.count() == fewest);
+        if let Some(best) = best.filter(|_| fewest < self.reading.count()) {
+            std::mem::swap(&mut self.reading, &mut readings[best]);
+        }
+        let is_decided = self.apart > DECIDED || readings.len() > MOST_OTHERS;
+        self.others = if is_decided { Vec::new() } else { readings };
+        Ok(())
+    }
+    /// Compares one block and shows it to an observer.
+    pub(super) fn observed(&mut self, block: &Block, text: &[u8], observer: &mut dyn Observer) -> io::Result<()> {
+        let comparison = &self.reading.comparison;
+        let Previous { words: from, known, .. } = comparison.previous;
+        let (progress, count) = (&comparison.progress, self.reading.count());
+        let (record, operation) = (progress.location(), progress.operation());
+        let allowance_mm = progress.allowance_mm();
+        self.readings().for_each(|reading| reading.comparison.tally.put_aside_deviations());
+        self.block(block, text)?;
+        let deviations = self.readings().map(|reading| reading.comparison.tally.take_deviation());
+        let deviation_mm = deviations.reduce(|best, _| best).flatten();
+        let comparison = &self.reading.comparison;
+        let findings = comparison.tally.count().saturating_sub(count);
+        observer.executed(&ExecutedBlock {
+            block,
+            before: &self.before,
+            record,
+            operation,
+            allowance_mm,
+            findings,
+            deviation_mm,
+            from,
+            known: known & block.known_before,
+            rules: &comparison.rules,
+        });
+        self.before = block.state;
+        Ok(())
+    }
+
+    /// Figures and findings, after the last line of the program.
+    pub(super) fn conclude(mut self, lines: u64) -> Checked {
+        self.readings().for_each(|reading| reading.end(lines));
+        let best = self.others.into_iter().fold(self.reading, |best, other| match other.count() < best.count() {
+            true => other,
+            false => best,
+        });
+        let fault = best.comparison.progress.fault();
+        Checked { outcome: best.comparison.tally.conclude(lines), fault }
+    }
+
+    /// All readings, the best so far first.
+    fn readings(&mut self) -> impl Iterator<Item = &mut Reading<'a>> {
+        std::iter::once(&mut self.reading).chain(&mut self.others)
+    }
+}
+
+impl Reading<'_> {
+    fn count(&self) -> u64 {
+        self.comparison.tally.count()
+    }
+
+    /// The last line of the program has been read.
+    fn end(&mut self, lines: u64) {
+        let Self { comparison, phase } = self;
+        if !matches!(phase, Phase::Ended) {
+            let cut = comparison.progress.next().is_some_and(|item| matches!(item.action, ExpectedAction::Motion(_)));
+            let text = match cut {
+                true => "the program breaks off before the end of the CL data",
+                false => "the program has no end code",
+            };
+            comparison.tally.found(comparison.progress.location(), Shown { line: lines, text: b"" }, text);
+        }
+    }
+
+    /// Compares one block. Returns the reading in which it has its second meaning, if it has one and nothing is wrong with it.
+    fn block_in_two_ways(&mut self, block: &Block, text: &[u8]) -> io::Result<Option<Self>> {
+        if !self.comparison.may_have_two_meanings(&self.phase, block) {
+            return self.block(block, text).map(|()| None);
+        }
+        let mut other = self.clone();
+        self.block(block, text)?;
+        if !std::mem::take(&mut self.comparison.way.two) {
+            return Ok(None);
+        }
+        let count = other.count();
+        other.comparison.way.other = true;
+        other.block(block, text)?;
+        other.comparison.way = Way::default();
+        Ok((other.count() == count).then_some(other))
+    }
+
+    /// Compares one block.
+    fn block(&mut self, block: &Block, text: &[u8]) -> io::Result<()> {
+        let Self { comparison, phase } = self;
         comparison.progress.fill(2)?;
         let compared = std::mem::take(&mut comparison.compared);
         let same_modes =
@@ -268,48 +414,6 @@ impl<'a> Checker<'a> {
         }
         comparison.compared = true;
         Ok(())
-    }
-
-    /// Compares one block and shows it to an observer.
-    pub(super) fn observed(&mut self, block: &Block, text: &[u8], observer: &mut dyn Observer) -> io::Result<()> {
-        let Previous { words: from, known, .. } = self.comparison.previous;
-        let (progress, tally) = (&self.comparison.progress, &mut self.comparison.tally);
-        let (record, operation, count) = (progress.location(), progress.operation(), tally.count());
-        let allowance_mm = progress.allowance_mm();
-        let largest = tally.put_aside_deviations();
-        self.block(block, text)?;
-        let tally = &mut self.comparison.tally;
-        let findings = tally.count() - count;
-        let deviation_mm = tally.take_deviation(largest);
-        observer.executed(&ExecutedBlock {
-            block,
-            before: &self.before,
-            record,
-            operation,
-            allowance_mm,
-            findings,
-            deviation_mm,
-            from,
-            known: known & block.known_before,
-            rules: &self.comparison.rules,
-        });
-        self.before = block.state;
-        Ok(())
-    }
-
-    /// Figures and findings, after the last line of the program.
-    pub(super) fn conclude(mut self, lines: u64) -> Checked {
-        let comparison = &mut self.comparison;
-        if !matches!(self.phase, Phase::Ended) {
-            let cut = comparison.progress.next().is_some_and(|item| matches!(item.action, ExpectedAction::Motion(_)));
-            let text = match cut {
-                true => "the program breaks off before the end of the CL data",
-                false => "the program has no end code",
-            };
-            comparison.tally.found(comparison.progress.location(), Shown { line: lines, text: b"" }, text);
-        }
-        let fault = comparison.progress.fault();
-        Checked { outcome: self.comparison.tally.conclude(lines), fault }
     }
 }
 
@@ -385,6 +489,34 @@ impl Comparison<'_> {
         }
     }
 
+    /// Whether a block may be found to have two meanings.
+    #[inline]
+    fn may_have_two_meanings(&self, phase: &Phase, block: &Block) -> bool {
+        match phase {
+            Phase::Cutting(_) | Phase::Leaving(_) if block.action.is_feed() => false,
+            Phase::Cutting(cutting) => {
+                let known = self.rules.is_known(block, block.known);
+                self.rapid_is_needless(cutting.here.as_ref())
+                    || known && self.may_lead_out(cutting, block, &self.rules.pose(block))
+            }
+            Phase::Leaving(leaving) => self.rapid_is_needless(Some(&leaving.here)),
+            Phase::Retracted(retracted) => retracted.rewind.is_some() && block.action.is_rapid(),
+            Phase::Unknown { .. } | Phase::Ended => false,
+        }
+    }
+
+    /// Whether there is a rapid among the motions ahead that need no block from where the tool is.
+    fn rapid_is_needless(&self, here: Option<&ToolPose>) -> bool {
+        let mut needless = (0..MOST_NEEDLESS).take_while(|index| self.is_needless(*index, here));
+        needless.any(|index| self.progress.get(index).and_then(ExpectedItem::motion).is_some_and(|motion| motion.rapid))
+    }
+
+    /// Whether the block at hand, which has two meanings, has the second in this reading.
+    fn is_other_way(&mut self) -> bool {
+        self.way.two = true;
+        self.way.other
+    }
+
     /// Stops the comparison before an error of the CL data, where fewer motions are known than the rules of a block may depend
     /// on: what follows would be findings about the consequences.
     fn stop_at_fault(&mut self, current: &Current<'_>) {
@@ -454,21 +586,22 @@ impl Comparison<'_> {
     }
 
     /// Passes motions that need no block.
-    fn pass_needless(&mut self, phase: &mut Phase) -> io::Result<()> {
-        while self.is_needless(0, phase.here()) {
-            self.pass_over(phase.perhaps_retract());
+    fn pass_needless(&mut self, phase: &Phase) -> io::Result<()> {
+        self.pass_needless_from(phase.here())
+    }
+
+    /// The same from where the tool is. The rotary axes may rotate for a rapid all the same, with the machine retracted.
+    fn pass_needless_from(&mut self, here: Option<&ToolPose>) -> io::Result<()> {
+        while self.is_needless(0, here) {
+            let is_rapid = self.progress.motion().is_some_and(|motion| motion.rapid);
+            self.keeps_rapids = self.keeps_rapids || is_rapid && self.is_other_way();
+            if is_rapid && self.keeps_rapids {
+                break;
+            }
+            self.progress.pass();
             self.progress.fill(2)?;
         }
         Ok(())
-    }
-
-    /// Passes a motion that needs no block. The rotary axes may rotate for a rapid all the same.
-    fn pass_over(&mut self, perhaps_retract: Option<&mut Option<Box<ExpectedItem>>>) {
-        let is_rapid = |item: &&ExpectedItem| matches!(&item.action, ExpectedAction::Motion(motion) if motion.rapid);
-        if let Some(perhaps @ None) = perhaps_retract {
-            *perhaps = self.progress.next().filter(is_rapid).cloned().map(Box::new);
-        }
-        self.progress.pass();
     }
 
     /// Passes items for which the program has no block, and reports them.

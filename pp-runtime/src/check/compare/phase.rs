@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use nalgebra::Vector3;
 
-use super::super::expect::{ExpectedItem, Required};
+use super::super::expect::Required;
 use super::super::geometry::{Segment, ToolPose, is_within_angle};
 use super::super::policy::LinearMeaning;
 use super::super::read::{Action, MAX_AXES};
@@ -45,8 +45,6 @@ pub(super) struct Cutting {
     pub(crate) steps: Option<Box<RapidSteps>>,
     /// The motion that the last block has ended.
     pub(crate) finished: Option<FinishedMotion>,
-    /// A rapid taken for done that may have been the retract before it.
-    pub(crate) perhaps_retract: Option<Box<ExpectedItem>>,
 }
 
 impl Cutting {
@@ -62,7 +60,6 @@ pub(super) struct Leaving {
     pub(crate) here: ToolPose,
     pub(crate) retract: RetractedLength,
     pub(crate) rewind: Option<RewindPoint>,
-    pub(crate) perhaps_retract: Option<Box<ExpectedItem>>,
 }
 
 /// At the retract position.
@@ -83,7 +80,6 @@ pub(super) struct Retracted {
     /// Axis values across the retract axis after its second step, where they do not depend on the retract axis.
     pub(crate) across: Option<[f64; MAX_AXES]>,
     pub(crate) rewind: Option<RewindPoint>,
-    pub(crate) perhaps_retract: Option<Box<ExpectedItem>>,
     /// The program has stopped with the spindle off, and no approach has begun since.
     pub(crate) stopped: bool,
     /// Axes may move to their parking positions.
@@ -191,16 +187,6 @@ impl Phase {
             Self::Cutting(cutting) => cutting.here.as_ref(),
             Self::Leaving(leaving) => Some(&leaving.here),
             Self::Unknown { .. } | Self::Retracted(_) | Self::Ended => None,
-        }
-    }
-
-    /// A rapid taken for done that may have been the retract before it.
-    pub(super) fn perhaps_retract(&mut self) -> Option<&mut Option<Box<ExpectedItem>>> {
-        match self {
-            Self::Cutting(cutting) => Some(&mut cutting.perhaps_retract),
-            Self::Leaving(leaving) => Some(&mut leaving.perhaps_retract),
-            Self::Retracted(retracted) => Some(&mut retracted.perhaps_retract),
-            Self::Unknown { .. } | Self::Ended => None,
         }
     }
 

@@ -12,6 +12,7 @@ use crate::diag::Diagnostic;
 use crate::program::Location;
 
 /// The place of a program in its CL data: the next item, and how much of it is done.
+#[derive(Clone)]
 pub(super) struct ClProgress<'a> {
     expect: Expect<'a>,
     /// End of the last motion of the CL data, or the approach point.
@@ -193,11 +194,6 @@ impl<'a> ClProgress<'a> {
     /// Takes the next item, which is no motion.
     pub(super) fn take(&mut self) {
         self.expect.pop();
-    }
-
-    /// Puts a motion back that was taken for done.
-    pub(super) fn put_back(&mut self, item: ExpectedItem) {
-        self.expect.push_front(item);
     }
 
     /// A block has carried out the next motion up to a share.

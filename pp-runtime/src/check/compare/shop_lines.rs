@@ -13,6 +13,7 @@ use crate::set_up::GivenTool;
 type ToolAndRegister = (Option<u32>, u32);
 
 /// The lines that have come since the tool was at the part.
+#[derive(Clone)]
 pub(super) struct ShopLines {
     lines: PlacedLines,
     /// Tool of the last approach at which an operation began; `None` before the first.

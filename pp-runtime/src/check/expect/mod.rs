@@ -9,6 +9,7 @@ mod modal;
 mod operations;
 mod placement;
 
+use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::io;
 use std::rc::Rc;
@@ -148,12 +149,34 @@ pub(super) struct ExpectedMessage {
     after: u64,
 }
 
-/// The items of a program.
+/// The items of a program, as one of its readings has taken them.
+#[derive(Clone)]
 pub(super) struct Expect<'a> {
+    source: Rc<RefCell<Source<'a>>>,
+    items: VecDeque<ExpectedItem>,
+    messages: VecDeque<ExpectedMessage>,
+    /// Numbers of items and of messages that have been read from the source.
+    read: (u64, u64),
+}
+
+/// The CL data, for all readings of one program.
+struct Source<'a> {
     events: ClEvents<'a>,
     placement: Placement,
     state: ClState<'a>,
     ended: bool,
+}
+
+impl Source<'_> {
+    #[inline(never)]
+    fn read(&mut self) -> io::Result<()> {
+        let Self { events, placement, state, ended } = self;
+        *ended = !events.next(|at, event| {
+            let placed = placement.of(event);
+            state.event(at, placed.as_ref().unwrap_or(event));
+        })?;
+        Ok(())
+    }
 }
 
 impl<'a> Expect<'a> {
@@ -162,66 +185,81 @@ impl<'a> Expect<'a> {
         let rotary = |axis: &crate::kinematics::Axis| axis.kind == AxisKind::Rotary && !axis.held;
         let head = machine.axes().iter().any(|axis| rotary(axis) && axis.side == ChainSide::Tool);
         let rotations = policy.set_up.clampings().map(|(number, part)| (number, part.part_rotation.into_inner()));
-        Self {
+        let source = Source {
             events,
             placement: Placement::new(rotations.collect(), policy.links.dry_lift_mm),
             state: ClState::new(policy, head, unit_mm),
             ended: false,
-        }
+        };
+        Self { source: Rc::new(RefCell::new(source)), items: VecDeque::new(), messages: VecDeque::new(), read: (0, 0) }
     }
 
     /// Reads ahead and returns the items that are known.
     pub(super) fn ahead(&mut self) -> io::Result<&VecDeque<ExpectedItem>> {
         self.fill(AHEAD)?;
-        Ok(self.state.items())
+        Ok(&self.items)
     }
 
     /// Reads until `count` items are known, or the CL data ends.
     #[inline]
     pub(super) fn fill(&mut self, count: usize) -> io::Result<()> {
-        while self.state.items().len() < count && !self.ended {
-            self.read()?;
+        if self.items.len() < count { self.read(count) } else { Ok(()) }
+    }
+
+    #[inline(never)]
+    fn read(&mut self, count: usize) -> io::Result<()> {
+        let alone = Rc::strong_count(&self.source) == 1;
+        let mut source = self.source.borrow_mut();
+        while self.items.len() < count {
+            if let Some(item) = source.state.items().take(&mut self.read.0, alone) {
+                self.items.push_back(item);
+            } else if source.ended {
+                break;
+            } else {
+                source.read()?;
+            }
+        }
+        while let Some(message) = source.state.messages().take(&mut self.read.1, alone) {
+            self.messages.push_back(message);
         }
         Ok(())
     }
 
     /// Whether there may be others than motions among the items that are known.
     pub(super) fn has_others(&self) -> bool {
-        self.state.last_other() > self.done()
+        self.source.borrow().state.last_other() > self.done()
     }
 
     /// Number of items that have been taken.
     fn done(&self) -> u64 {
-        self.state.pushed() - self.state.items().len() as u64
+        self.read.0 - self.items.len() as u64
     }
 
     /// An item ahead, 0 the next.
     pub(super) fn get(&self, index: usize) -> Option<&ExpectedItem> {
-        self.state.items().get(index)
-    }
-
-    /// Puts an item back that has been taken.
-    pub(super) fn push_front(&mut self, item: ExpectedItem) {
-        self.state.items_mut().push_front(item);
+        self.items.get(index)
     }
 
     pub(super) fn pop(&mut self) -> Option<ExpectedItem> {
-        self.state.items_mut().pop_front()
+        self.items.pop_front()
     }
 
     /// Spindle state that the last SPINDL before the next item requests.
     pub(super) fn requested_spindle(&self) -> Option<Option<SpindleState>> {
-        self.state.items().front().map_or(self.state.required(), |item| &item.required).requested_spindle
+        match self.items.front() {
+            Some(item) => item.required.requested_spindle,
+            None => self.source.borrow().state.required().requested_spindle,
+        }
     }
 
     /// The next text that the control must display.
     pub(super) fn next_message(&mut self) -> Option<&mut ExpectedMessage> {
-        self.state.messages().front_mut()
+        self.messages.front_mut()
     }
 
     /// Takes the next text.
     pub(super) fn pop_message(&mut self) -> Option<ExpectedMessage> {
-        self.state.messages().pop_front()
+        self.messages.pop_front()
     }
 
     /// Takes the next text if an item after it is done.
@@ -233,24 +271,59 @@ impl<'a> Expect<'a> {
 
     /// Whether the CL data has an error so far: no motion after it is known.
     pub(super) fn failed(&self) -> bool {
-        self.events.facts().is_some_and(|facts| facts.failed) || self.state.fault().is_some()
+        let source = self.source.borrow();
+        source.events.facts().is_some_and(|facts| facts.failed) || source.state.fault().is_some()
     }
 
     /// First error of the CL data.
     pub(super) fn fault(&self) -> Option<Diagnostic> {
-        let found = self.events.facts().map_or(&[][..], |facts| &facts.diagnostics);
+        let source = self.source.borrow();
+        let found = source.events.facts().map_or(&[][..], |facts| &facts.diagnostics);
         let errors = found.iter().filter(|found| found.severity == Severity::Error);
-        errors.chain(self.state.fault()).min_by_key(|found| found.location).cloned()
+        errors.chain(source.state.fault()).min_by_key(|found| found.location).cloned()
+    }
+}
+
+/// What the CL data requires, in order, kept until every reading of the program has taken it.
+#[derive(Debug)]
+struct Kept<T> {
+    queue: VecDeque<T>,
+    /// Number of those before the first that is kept.
+    gone: u64,
+}
+
+impl<T: Clone> Kept<T> {
+    fn push(&mut self, value: T) {
+        self.queue.push_back(value);
     }
 
-    #[inline(never)]
-    fn read(&mut self) -> io::Result<()> {
-        let Self { events, placement, state, ended } = self;
-        *ended = !events.next(|at, event| {
-            let placed = placement.of(event);
-            state.event(at, placed.as_ref().unwrap_or(event));
-        })?;
-        Ok(())
+    /// Number of all so far.
+    fn count(&self) -> u64 {
+        self.gone + self.queue.len() as u64
+    }
+
+    /// The one of this number, if it is known; the number becomes that of the next. `alone`: no other reading needs it.
+    #[inline]
+    fn take(&mut self, number: &mut u64, alone: bool) -> Option<T> {
+        if alone {
+            while self.gone < *number {
+                self.queue.pop_front()?;
+                self.gone += 1;
+            }
+        }
+        let found = match alone {
+            true => self.queue.pop_front(),
+            false => self.queue.get(usize::try_from(*number - self.gone).ok()?).cloned(),
+        }?;
+        self.gone += u64::from(alone);
+        *number += 1;
+        Some(found)
+    }
+}
+
+impl<T> Default for Kept<T> {
+    fn default() -> Self {
+        Self { queue: VecDeque::new(), gone: 0 }
     }
 }
 

@@ -1,7 +1,6 @@
 //! Modal state of the CL data, from the specification: which tool, register, speed, sense of rotation and coolant belong
 //! to a motion, where an operation begins, and what is posted.
 
-use std::collections::VecDeque;
 use std::rc::Rc;
 
 use super::super::geometry::{ArcPath, PathShape, bezier, tool_pose};
@@ -9,7 +8,7 @@ use super::super::policy::{CheckPolicy, OperationSelection, StopRule};
 use super::super::read::{LengthRegisters, Side, coolant};
 use super::hole::{ExpectedHole, HoleStep, unfolded};
 use super::operations::{self, RulesInForce};
-use super::{ClMotion, ExpectedAction, ExpectedItem, ExpectedMessage, Required, RequiredSmoothing, SpindleState};
+use super::{ClMotion, ExpectedAction, ExpectedItem, ExpectedMessage, Kept, Required, RequiredSmoothing, SpindleState};
 use crate::check::tolerances::{IN_CUTTER_PLANE, SAME_POSE};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
@@ -52,11 +51,10 @@ pub(super) struct ClState<'a> {
     hole: Option<Rc<ExpectedHole>>,
     /// Number of holes so far.
     holes: u64,
-    items: VecDeque<ExpectedItem>,
-    /// Number of items so far, and of the last one that is no motion.
-    pushed: u64,
+    items: Kept<ExpectedItem>,
+    /// Number of the last item that is no motion.
     last_other: u64,
-    messages: VecDeque<ExpectedMessage>,
+    messages: Kept<ExpectedMessage>,
     /// OPSKIP/ON is in force.
     skippable: bool,
     /// Before OPSKIP/ON: whether something had moved since the last stop, and the tool.
@@ -172,22 +170,17 @@ impl<'a> ClState<'a> {
             fresh_arc: true,
             hole: None,
             holes: 0,
-            items: VecDeque::new(),
-            pushed: 0,
+            items: Kept::default(),
             last_other: 0,
-            messages: VecDeque::new(),
+            messages: Kept::default(),
             skippable: false,
             before_skip: (false, None),
             tool_if_skipped: None,
         }
     }
 
-    /// Items of the events so far that have not been taken.
-    pub(super) fn items(&self) -> &VecDeque<ExpectedItem> {
-        &self.items
-    }
-
-    pub(super) fn items_mut(&mut self) -> &mut VecDeque<ExpectedItem> {
+    /// Items of the events so far.
+    pub(super) fn items(&mut self) -> &mut Kept<ExpectedItem> {
         &mut self.items
     }
 
@@ -326,13 +319,8 @@ impl<'a> ClState<'a> {
     }
 
     /// Texts that the control must display.
-    pub(super) fn messages(&mut self) -> &mut VecDeque<ExpectedMessage> {
+    pub(super) fn messages(&mut self) -> &mut Kept<ExpectedMessage> {
         &mut self.messages
-    }
-
-    /// Number of items so far.
-    pub(super) fn pushed(&self) -> u64 {
-        self.pushed
     }
 
     /// Number of the last item that is no motion; 0 before the first.
@@ -350,7 +338,7 @@ impl<'a> ClState<'a> {
         };
         let text = legible(text);
         if self.policy.shop.displays_messages && !text.is_empty() && self.is_selected(number, reached) {
-            self.messages.push_back(ExpectedMessage { at, text, may_be_cut, after: self.pushed });
+            self.messages.push(ExpectedMessage { at, text, may_be_cut, after: self.items.count() });
         }
     }
 
@@ -690,16 +678,16 @@ impl<'a> ClState<'a> {
     #[inline(always)]
     fn push(&mut self, at: Location, action: ExpectedAction) {
         if self.is_selected(self.operation.number, self.operation.reached) {
-            self.pushed += 1;
-            if !matches!(action, ExpectedAction::Motion(_)) {
-                self.last_other = self.pushed;
-            }
-            self.items.push_back(ExpectedItem {
+            let is_motion = matches!(action, ExpectedAction::Motion(_));
+            self.items.push(ExpectedItem {
                 at,
                 required: Rc::clone(&self.required),
                 hole: self.hole.as_ref().map(|hole| self.at_feed(hole)),
                 action,
             });
+            if !is_motion {
+                self.last_other = self.items.count();
+            }
         }
     }
 }

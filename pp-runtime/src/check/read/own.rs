@@ -31,7 +31,7 @@ pub(super) struct Declared {
 }
 
 /// Text of a line without its block number and its comments, and buffers for it.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Bare {
     /// The line, with blanks in the place of number and comments.
     masked: Vec<u8>,
@@ -384,12 +384,14 @@ pub(crate) fn is_filled(template: &str, line: &[u8], is_tool: impl Fn(&[u8]) -> 
 }
 
 /// Lines of the configuration that have a fixed place in a program, and how often each has come.
+#[derive(Clone)]
 pub(crate) struct PlacedLines {
     lines: Vec<PlacedLine>,
     facts: Facts,
     bare: Bare,
 }
 
+#[derive(Clone)]
 struct PlacedLine {
     /// As in [`Vocabulary::own`].
     text: Vec<u8>,

@@ -51,6 +51,7 @@ pub(super) struct Rounding {
 }
 
 /// The rules for one program.
+#[derive(Clone)]
 pub(super) struct Rules<'a> {
     policy: &'a CheckPolicy,
     facts: Facts,

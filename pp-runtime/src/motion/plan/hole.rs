@@ -63,7 +63,7 @@ impl NoCycle {
             Self::TipControl => "there are no cycles under tip control".to_owned(),
             Self::NotOrthogonal => "the coordinates of the program are not orthogonal here".to_owned(),
             Self::Leans { off_mm, .. } => format!(
-                "Z of the program leads off the axis of this hole, by {off_mm:.3} mm over its levels, more than `tolerance`"
+                "Z of the program leads off the axis of this hole, by {off_mm:.3} mm over its levels or on the way to it, more than `tolerance`"
             ),
             Self::LevelsNotInOrder => "the levels of the hole are not in order".to_owned(),
             Self::LongDwell => "the dwell is too long for the cycle".to_owned(),
@@ -305,6 +305,12 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let mut place = *self.planner.mover.here();
         self.planner.mover.shift(&mut place, hole.level(hole.clearance_mm).tip)?;
         let (over, [x, y, z]) = (place, chain);
+        // The control leads the tool over the hole at the level at which it is.
+        let below_mm =
+            (over.words[z] - self.planner.mover.here().words[z]) as f64 * self.planner.mover.placer().unit_mm();
+        if below_mm > allowed {
+            return Ok(Err(NoCycle::Leans { off_mm: below_mm, rounded: false }));
+        }
         let words =
             AxisWords { units: self.planner.mover.placer().written(&over), mask: 1 << x | 1 << y, vector: None };
         let bottom = self.shift_to_level(&mut place, -hole.depth_mm, z)?;
