@@ -280,7 +280,8 @@ impl Comparison<'_> {
             self.end_rapid_steps(&steps, current);
         }
         // The machine retracts along the axis that it has: tool axes of the CL data that it cannot tell apart are one.
-        cutting.retract.follow(&ToolPose { axis: end.axis, ..on });
+        let start = part.segment.tip_at(self.progress.along());
+        cutting.retract.follow(&start, &ToolPose { axis: end.axis, ..on });
         self.start.restarted = false;
         self.progress.set_lost(false);
         let required = Rc::clone(&part.required);

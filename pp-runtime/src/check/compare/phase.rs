@@ -229,9 +229,9 @@ impl RetractedLength {
         Self { out_mm: self.out_mm + by_mm, ..self }
     }
 
-    /// Adds the motion to a pose.
-    pub(super) fn follow(&mut self, to: &ToolPose) {
-        let from = self.from.replace(*to).unwrap_or(*to);
+    /// Adds the motion to a pose. `start`: where it begins; motions that need no block may have led there.
+    pub(super) fn follow(&mut self, start: &Vector3<f64>, to: &ToolPose) {
+        let from = self.from.replace(*to).map_or(*to, |from| ToolPose { tip: *start, ..from });
         if !is_within_angle(&from.axis, &to.axis, ALONG_TOOL_AXIS) {
             (self.out_mm, self.end) = (0.0, None);
             return;
@@ -260,7 +260,8 @@ mod tests {
     fn out_mm(tips: &[[f64; 3]]) -> f64 {
         let pose = |tip: &[f64; 3]| ToolPose { tip: Vector3::from(*tip), axis: Vector3::z() };
         let mut retract = RetractedLength::starting(pose(&[0.0; 3]), 50.0);
-        tips.iter().for_each(|tip| retract.follow(&pose(tip)));
+        let starts = std::iter::once(&[0.0; 3]).chain(tips);
+        starts.zip(tips).for_each(|(start, tip)| retract.follow(&pose(start).tip, &pose(tip)));
         retract.out_mm()
     }
 

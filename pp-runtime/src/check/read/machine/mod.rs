@@ -90,6 +90,8 @@ pub(super) struct Interpreter {
     state: State,
     values: [f64; MAX_AXES],
     known: u16,
+    /// Rotary axes that a tool axis has rotated, to where only the control knows: bits.
+    turned: u16,
     motion: MotionModes,
     /// Bits of [`stated`], since a complete state began.
     stated: u8,
@@ -154,6 +156,7 @@ impl Interpreter {
             state: State::default(),
             values: [0.0; MAX_AXES],
             known: 0,
+            turned: 0,
             motion: MotionModes::default(),
             stated: 0,
             frames: Frames::default(),
@@ -172,6 +175,7 @@ impl Interpreter {
     /// After blocks that were executed or not, `before` being the state before them: what is the same in both cases.
     pub(super) fn join(&mut self, before: &Self) {
         let same = (0..MAX_AXES).filter(|&index| self.values[index].to_bits() == before.values[index].to_bits());
+        self.turned |= before.turned;
         self.known &= before.known & same.fold(0, |bits, index| bits | 1 << index);
         self.stated &= before.stated;
         self.motion = self.motion.and(&before.motion);

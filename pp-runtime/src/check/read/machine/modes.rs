@@ -161,6 +161,7 @@ impl Interpreter {
             fault(faults, 0, "the components of the tool axis are those of no unit vector");
         }
         self.state.vector = vector.try_normalize(0.0);
+        self.turned = self.axes.rotary;
     }
 
     fn set_tilt(&mut self, tilt: TiltCode, faults: &mut Vec<Fault>) {

@@ -173,6 +173,7 @@ impl Interpreter {
             self.values[index] = self.value(index, words, unit);
         }
         self.known |= placed;
+        self.turned &= !placed;
     }
 
     /// Words that are distances: bits.
@@ -203,7 +204,7 @@ impl Interpreter {
 
     /// Value of an axis after a word that is a distance.
     fn farther(&self, index: usize, by: f64, faults: &mut Vec<Fault>) -> f64 {
-        if self.known & (1 << index) == 0 {
+        if self.known & !self.turned & (1 << index) == 0 {
             fault(faults, 0, "incremental motion from an unknown position");
         }
         self.values[index] + by
@@ -214,7 +215,7 @@ impl Interpreter {
         // Where the set-up says which axes roll over, the shortest path is for these.
         let any = if self.state.shortest && !self.axes.has_rollover { Some(RolloverRule::Shortest) } else { None };
         let Some(rule) = self.axis(index).rollover.or(any) else { return value };
-        if self.known & (1 << index) == 0 {
+        if self.known & !self.turned & (1 << index) == 0 {
             // Its sign is the direction, not the place.
             return if rule == RolloverRule::Sign { value.abs() } else { value };
         }

@@ -547,9 +547,9 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.rapid_in_steps(to, mask, reached, inserted, pieces)
     }
 
-    /// Rotates the rotary axes for an approach. Where they are unknown they may be where they were, and an axis that is half a
+    /// Rotates the rotary axes alone. Where they are unknown they may be where they were, and an axis that is half a
     /// revolution from there goes in two steps.
-    pub(crate) fn rotate_for_approach(&mut self, to: &AxisPosition, mask: u16) -> Planned {
+    pub(crate) fn rotate_alone(&mut self, to: &AxisPosition, mask: u16) -> Planned {
         let (start, end) = (self.placer.written(self.position.place()), self.placer.written(to));
         let unsure = !self.position.knows_rotary_axes() && self.position.has_moved();
         if !(unsure && self.speller.is_half_turn(&start, &end, mask)) {

@@ -100,7 +100,7 @@ impl<S: Sink> Mover<'_, S> {
         // Where an axis is elsewhere than known, its word in the block rotates it.
         let all = plane || !self.position.knows_rotary_axes();
         self.clamps.open(&self.position.place().words, &above.words, all, &mut self.output)?;
-        self.rotate_for_approach(above, rotary)?;
+        self.rotate_alone(above, rotary)?;
         if let Some(TipEntry { words, frame: of_words }) = entry {
             if let Some([on, _]) = of_words {
                 self.output.step(&on)?;
@@ -202,7 +202,7 @@ impl<S: Sink> Mover<'_, S> {
         if mask != 0 {
             self.home_before_rotation(&turned)?;
             self.clamps.switch(mask, false, &mut self.output)?;
-            self.rapid_alone(&turned, mask)?;
+            self.rotate_alone(&turned, mask)?;
             self.clamps.switch(mask, true, &mut self.output)?;
         }
         let mut others = AxisWords::default();
