@@ -506,6 +506,20 @@ pub enum Event<'a> {
     Text(TextKind, &'a [u8]),
 }
 
+impl Event<'_> {
+    /// Whether the record is carried out by a block of its own: it is not data for the motions after it. A tool that has been
+    /// called is changed before it.
+    pub(crate) const fn writes_block(&self) -> bool {
+        match self {
+            Self::Interruption(interruption) => !matches!(interruption, Interruption::BlockSkip { .. }),
+            Self::NewStart(start) => matches!(start, NewStart::Home),
+            Self::Function(function) => matches!(function, MachineFunction::Delay(_)),
+            Self::Text(kind, _) => matches!(kind, TextKind::Message),
+            Self::Motion(_) | Self::Reference(_) => false,
+        }
+    }
+}
+
 /// A motion of the tool. Only these and [`ReferenceGeometry`] have points and directions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ToolMotion<'a> {

@@ -401,6 +401,10 @@ fn rule(OperationEntry { of, settings }: &OperationEntry) -> OperationRule {
 fn declared(effect: LineEffect) -> Effect {
     match effect {
         LineEffect::None => Effect::None,
+        LineEffect::Clamp => Effect::Clamp,
+        LineEffect::Chuck => Effect::Chuck,
+        LineEffect::Door => Effect::Door,
+        LineEffect::Pallet => Effect::Pallet,
         LineEffect::Coolant => Effect::Coolant,
         LineEffect::Spindle => Effect::Spindle,
         LineEffect::ToolChange => Effect::ToolChange,

@@ -103,6 +103,9 @@ impl Config {
         let mut config = self.clone();
         let lacking = take_out_lacking(control, &mut config.control, &mut config.motion.operations);
         config.left_out.extend(lacking);
+        let declared = config.control.effects.iter().map(|(text, effect)| (text.as_str(), *effect));
+        let stands = declared.chain(control.effects().iter().copied()).filter(|(_, effect)| effect.needs_standstill());
+        config.motion.standstill = stands.map(|(text, _)| text.to_owned()).collect();
         config
     }
 

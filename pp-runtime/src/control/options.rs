@@ -290,6 +290,14 @@ impl ControlOptions {
 pub enum LineEffect {
     /// Nothing that the check reads.
     None,
+    /// It clamps work, or sets it free. The machine has retracted, with the spindle off; so with a chuck, a pallet and a door.
+    Clamp,
+    /// It opens or closes a chuck.
+    Chuck,
+    /// It opens or closes a door.
+    Door,
+    /// It changes a pallet; the positions of the axes are unknown afterwards.
+    Pallet,
     /// The coolant is unknown afterwards.
     Coolant,
     /// The spindle is unknown afterwards.
@@ -308,8 +316,12 @@ pub enum LineEffect {
 }
 
 impl LineEffect {
-    const NAMES: [(&'static str, Self); 8] = [
+    const NAMES: [(&'static str, Self); 12] = [
         ("none", Self::None),
+        ("clamp", Self::Clamp),
+        ("chuck", Self::Chuck),
+        ("door", Self::Door),
+        ("pallet", Self::Pallet),
         ("coolant", Self::Coolant),
         ("spindle", Self::Spindle),
         ("stop", Self::Stop),
@@ -322,6 +334,11 @@ impl LineEffect {
     /// Name, as in configuration files.
     pub(crate) fn name(self) -> &'static str {
         Self::NAMES.iter().find(|(_, effect)| *effect == self).map_or("", |(name, _)| name)
+    }
+
+    /// Whether the machine stands retracted with the spindle off where a line has this effect.
+    pub(crate) const fn needs_standstill(self) -> bool {
+        matches!(self, Self::Clamp | Self::Chuck | Self::Door | Self::Pallet)
     }
 
     /// The reason why a line or a word cannot have this effect.

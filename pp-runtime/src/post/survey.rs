@@ -235,6 +235,7 @@ impl Surveyor {
 
     fn finish(mut self) -> Survey {
         self.end_stretch();
+        self.note_change();
         self.survey.upside_down = self.cuts_down == Some(true);
         self.survey.selected = self.selection.numbers(self.survey.operations);
         self.survey
@@ -296,6 +297,9 @@ impl Surveyor {
     }
 
     fn record(&mut self, at: Location, event: &Event<'_>) {
+        if self.called && event.writes_block() {
+            self.note_change();
+        }
         match *event {
             Event::Text(TextKind::Name, name) => {
                 if self.survey.name.is_empty() {
@@ -386,14 +390,19 @@ impl Surveyor {
             let known_index = self.called_so_far.get_mut(&call.number)?;
             Some(self.survey.tool(call, known_index))
         });
+        self.note_change();
+        if let Some(index) = self.tool {
+            self.survey.tools[index].operations += 1;
+        }
+    }
+
+    /// The tool that has been called last comes into the spindle.
+    fn note_change(&mut self) {
         let order = &mut self.survey.order;
         if let Some(call) = self.call.filter(|call| order.last() != Some(&call.number))
             && order.len() < MOST_CHANGES
         {
             order.push(call.number);
-        }
-        if let Some(index) = self.tool {
-            self.survey.tools[index].operations += 1;
         }
     }
 

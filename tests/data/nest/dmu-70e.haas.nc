@@ -36,12 +36,12 @@ O00001 (NEST)
 (ASSUMED setting 52 [distance above R to which G83 retracts after each step])
 (is 0)
 ([HOLDER=H1] 10MM END MILL)
-(Stock Size X40. Y60. Z40.)
 N1 G21 G17 G40 G49 G80 G90 G94 G54
 M09
 G53 G00 Z0.
 T4 M06
 G49 G53 G00 Z0.
+(Stock Size X40. Y60. Z40.)
 S3000 M03
 G00 B0. C0.
 X12.5 Y20.

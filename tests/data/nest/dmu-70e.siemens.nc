@@ -26,7 +26,6 @@
 ; ASSUMED retract to machine coordinate 0 mm
 ; ASSUMED approach distance 50 mm along the tool axis
 ; [HOLDER=H1] 10MM END MILL
-; Stock Size X40. Y60. Z40.
 N1 TRAFOOF
 CYCLE800()
 G710 G17 G40 G64 G90 G94 G54
@@ -35,6 +34,7 @@ SUPA G0 Z0 D0
 T4
 M6
 SUPA G0 Z0 D0
+; Stock Size X40. Y60. Z40.
 D1
 S3000 M3
 G0 B0 C0

@@ -25,12 +25,12 @@
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
 ([HOLDER=H1] 10MM END MILL)
-(Stock Size X40. Y60. Z40.)
 N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
 M9
 G53 G0 Z0
 T4 M6
 G53 G0 Z0
+(Stock Size X40. Y60. Z40.)
 G43 H4
 o1 if [[ABS[#5403 - 120] GT 0.01] AND [ABS[[#5403 * 25.4] - 120] GT 0.01]]
 (abort, T4 was posted with L = 120 mm: the length in the tool table differs)

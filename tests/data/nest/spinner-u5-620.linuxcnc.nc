@@ -26,12 +26,12 @@
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
 ([HOLDER=H1] 10MM END MILL)
-(Stock Size X40. Y60. Z40.)
 N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
 M9
 G53 G0 Z0
 T4 M6
 G53 G0 Z0
+(Stock Size X40. Y60. Z40.)
 G43 H4
 S3000 M3
 G0 B0 C0

@@ -330,11 +330,12 @@ fn an_operation_that_begins_at_feed_is_entered_at_feed() {
     let blocks = blocks(&program);
     let index = blocks.iter().position(|block| block.starts_with("N2 ")).expect("the second operation");
     assert_eq!(
-        blocks[index + 1..index + 12],
+        blocks[index + 1..index + 13],
         [
-            "M9",               // 1: a restart here has an unknown coolant state
-            "G53 G0 Z0",        // 2
-            "T22 M6",           // 3: tool call
+            "M9",        // 1: a restart here has an unknown coolant state
+            "G53 G0 Z0", // 2
+            "M5",        // 3: the spindle stops before the tool call
+            "T22 M6",
             "G53 G0 Z0",        // 2: the change may have moved Z
             "G43 H52",          // 3: the length register of the configuration
             "S6100 M3",         // 3: spindle

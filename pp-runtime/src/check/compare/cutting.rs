@@ -251,6 +251,16 @@ impl Comparison<'_> {
         }
         let at_feed = !block.action.is_rapid();
         let known = self.rules.is_known(block, self.previous.known);
+        if at_feed && known {
+            let rotated_rad = self.rules.words().rotary_travel(&self.previous.words, &block.values);
+            if rotated_rad > self.rules.largest_rest_rad() {
+                let degrees = rotated_rad.to_degrees();
+                self.found(
+                    current,
+                    &format!("a rotary axis rotates by {degrees:.3}° in this cut, farther than any tool axis asks for"),
+                );
+            }
+        }
         let rules = if part.rapid { self.rapid_rules(cutting, current, part) } else { RapidRules::CUT };
         let RapidRules { expects_feed, follows_path, link, .. } = rules;
         if at_feed != expects_feed {
@@ -612,8 +622,13 @@ impl Comparison<'_> {
                     ExpectedAction::Motion(motion) => Some(&motion.to),
                     _ => None,
                 });
-                rules.moved(before, self.previous.known, block) == 0
-                    && motions.any(|to| off(to) < off(&segment.to) && rules.is_at(end, to))
+                let turned = rules.moved(before, self.previous.known, block) != 0;
+                let axis_off = |to: &ToolPose| angle_between(&end.axis, &to.axis);
+                let nearer = |to: &ToolPose| match turned {
+                    true => axis_off(to) + rules.rounding().axis_rad < axis_off(&segment.to),
+                    false => off(to) < off(&segment.to),
+                };
+                motions.any(|to| nearer(to) && rules.is_at(end, to))
             }
             _ => false,
         };

@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 
-use super::super::expect::{Required, RequiredSmoothing};
+use super::super::expect::{Required, RequiredSmoothing, SpindleState};
 use super::super::policy::{LinearMeaning, SmoothingLevel};
 use super::super::read::{
     Action, BlankPart, Block, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords,
@@ -33,6 +33,8 @@ pub(super) struct FunctionState {
     spindle_stated: bool,
     /// A cycle has stopped the spindle.
     stopped_by_cycle: bool,
+    /// State of the spindle for a dwell before the approach.
+    waits_with: Option<SpindleState>,
     /// Rotary axes whose clamps have been switched since a complete state began: bits.
     clamps_stated: u16,
     /// Tip control by codes of the shop has been switched off since then.
@@ -59,6 +61,15 @@ struct Blank {
 }
 
 impl FunctionState {
+    /// The spindle runs for a dwell before the approach; `None`: no longer.
+    pub(super) fn wait_with(&mut self, spindle: Option<SpindleState>) {
+        self.waits_with = spindle;
+    }
+
+    pub(super) fn waits_with(&self) -> Option<SpindleState> {
+        self.waits_with
+    }
+
     /// A complete state begins.
     pub(super) fn restart(&mut self) {
         self.guard = None;

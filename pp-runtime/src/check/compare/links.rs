@@ -50,8 +50,30 @@ impl Comparison<'_> {
         if current.block.action == Action::End {
             self.found(current, "the program ends at this block of the CL data: nothing after it is executed");
         }
-        (0..=index).for_each(|_| self.progress.pass());
+        (0..index).for_each(|_| self.progress.pass());
+        self.compare_tool(current);
+        self.progress.pass();
+        if current.block.own.as_ref().is_some_and(|own| own.stands) {
+            self.compare_standstill(phase, current);
+        }
+        let is_first = self.previous.tool.is_none() && self.progress.last().is_none();
+        if is_first && !self.start.restarted && !self.rules.policy().shop.own_safety {
+            self.found(current, "this block comes before the first complete state of the program");
+        }
         true
+    }
+
+    /// Work is clamped, or a door moves, with the machine retracted and the spindle off.
+    fn compare_standstill(&mut self, phase: &Phase, current: &Current<'_>) {
+        if !phase.is_retracted() || self.shop_lines.needs_retract() {
+            self.found(
+                current,
+                "a clamp, a chuck, a door or a pallet moves here: expected the machine retract before this block",
+            );
+        }
+        if self.setters.at_block.spindle != Some(None) {
+            self.found(current, "a clamp, a chuck, a door or a pallet moves here: the spindle is not known to be off");
+        }
     }
 
     /// A block with which a probe measures: the first where the last motion has ended.
@@ -379,7 +401,9 @@ impl Comparison<'_> {
         self.start.retracted = true;
         self.at_station = Default::default();
         self.shop_lines.note_retract();
-        if matches!(self.progress.next(), Some(ExpectedItem { action: ExpectedAction::Home, .. })) {
+        let is_home =
+            |item: &ExpectedItem| matches!(item.action, ExpectedAction::Home) && self.is_with_tool(item, block);
+        if self.progress.next().is_some_and(is_home) {
             self.progress.take();
             retracted.parks = true;
             (self.home, self.parked) = (true, 0);
@@ -459,7 +483,7 @@ impl Comparison<'_> {
         let linked = self.progress.next().filter(|item| item.motion().is_some_and(|motion| !motion.starts));
         let in_next = linked.and_then(|item| self.rules.spindle_in_cut(&item.required));
         let is_so = |spindle: &Option<SpindleState>| self.rules.spindle_is(&block.state, *spindle);
-        [requested, in_next].into_iter().find(is_so).unwrap_or(in_cut)
+        [requested, in_next, self.functions.waits_with()].into_iter().find(is_so).unwrap_or(in_cut)
     }
 
     /// Reads the items on which an approach may depend: the next two motions and what comes between them.
@@ -659,6 +683,7 @@ impl Comparison<'_> {
     fn arrive(&mut self, retracted: &mut Retracted, current: &Current<'_>, end: &ToolPose) -> Cutting {
         let mut cutting = Cutting { here: Some(*end), ..Cutting::default() };
         self.keeps_rapids = false;
+        self.functions.wait_with(None);
         let rewind = self.rewind_of(retracted, end, current);
         let rewind = rewind.filter(|_| !(self.is_over_next(end) && self.is_other_way()));
         if rewind.is_some() {
@@ -848,26 +873,32 @@ impl Comparison<'_> {
             self.find_again(phase, |item| item.required.tool == tool, current)?;
         }
         self.fill_for_approach(current)?;
-        // A stop that is lost is reported where the cut goes on.
+        // Records of the tool before that are lost.
+        let lost = (0..FOR_APPROACH).map_while(|index| self.progress.get(index));
+        let lost = lost.take_while(|item| item.required.tool != tool && item.motion().is_none()).count();
+        if self.progress.get(lost).is_some_and(|item| item.required.tool == tool) {
+            self.skip(lost, phase.here(), current);
+        }
         let of_shop = current.block.own.is_some();
-        match self.tool_of_next_motion() {
-            Some(required) if required != tool => {
+        let required = self.tool_due();
+        if required == tool {
+            self.previous.tool = tool;
+        }
+        match required {
+            // The shop may end with another tool.
+            _ if of_shop && self.progress.next().is_none() => {}
+            _ if required != tool => {
                 let (tool, required) = (tool_name(tool), tool_name(required));
                 self.found(current, &format!("change to {tool}, but the CL data requires {required}"));
             }
-            Some(_) if !self.start.restarted => self.found(
+            _ if !self.start.restarted => self.found(
                 current,
                 "tool change before the complete state of its operation: where the program is entered there, the tool is missing",
             ),
-            // The last tool stays in the spindle.
-            None if !of_shop && self.progress.last().is_some_and(|last| last.tool != tool) => {
-                let tool = tool_name(tool);
-                self.found(
-                    current,
-                    &format!("change to {tool} after the last motion, which the CL data does not ask for"),
-                );
-            }
             _ => {}
+        }
+        if self.setters.at_block.spindle.flatten().is_some() {
+            self.found(current, "tool change with the spindle on");
         }
         if !phase.is_retracted() || !self.start.retracted {
             self.found(current, "tool change before the machine has retracted");
@@ -879,6 +910,30 @@ impl Comparison<'_> {
         // The axes were taken to where it is changed.
         self.start.retracted &= self.rules.policy().links.tool_change_position.is_empty();
         Ok(self.forget(phase))
+    }
+
+    /// The tool that the next record of the CL data is carried out with; after the last one the tool that has been called last.
+    pub(super) fn tool_due(&self) -> Option<u32> {
+        let mut ahead = (0..FOR_APPROACH).map_while(|index| self.progress.get(index));
+        let carried_out = ahead.find(|item| !matches!(item.action, ExpectedAction::BlockSkip { .. }));
+        carried_out.map_or(self.progress.last_tool(), |item| item.required.tool)
+    }
+
+    /// Whether the tool with which a record is carried out is in the spindle, as far as that is known.
+    fn is_with_tool(&self, item: &ExpectedItem, block: &Block) -> bool {
+        let (tool, required) = (block.state.tool, item.required.tool);
+        tool == required || tool.is_none() && self.previous.tool.is_some()
+    }
+
+    /// Records act in the order of the CL data: a tool is changed before the records after its call.
+    fn compare_tool(&mut self, current: &Current<'_>) {
+        let Some(item) = self.progress.next() else { return };
+        if !self.is_with_tool(item, current.block) {
+            let (tool, required) = (tool_name(current.block.state.tool), tool_name(item.required.tool));
+            let text =
+                format!("this block comes with {tool} in the spindle, its record in the CL data with {required}");
+            self.found(current, &text);
+        }
     }
 
     /// Tool of the next motion, as far as an approach looks ahead; `None` without a motion there.
@@ -914,7 +969,9 @@ impl Comparison<'_> {
 
     /// Reports dwells of the CL data that are not in the program before a block; `all`: those of the next tool as well.
     pub(super) fn missing_dwells(&mut self, current: &Current<'_>, all: bool) {
-        while let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds, of_tool }, .. }) = self.progress.next() {
+        while let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds, of_tool, .. }, .. }) =
+            self.progress.next()
+        {
             if *of_tool && !all {
                 return;
             }
@@ -925,23 +982,22 @@ impl Comparison<'_> {
 
     pub(super) fn dwell(&mut self, phase: &mut Phase, seconds: f64, current: &Current<'_>) -> io::Result<()> {
         self.pass_needless(phase)?;
-        if let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds: expected, .. }, required, .. }) =
+        if let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds: expected, spindle, .. }, required, .. }) =
             self.progress.next()
             && (expected - seconds).abs() <= ROUNDED_DWELL
         {
-            let (tool, called) = (current.block.state.tool, required.tool);
+            let waits = spindle.is_some_and(|_| !self.rules.spindle_is(&current.block.state, *spindle));
+            let waits_with = *spindle;
             let spindles = std::iter::once(required.spindle).chain(self.progress.requested_spindle());
             let runs = spindles.into_iter().any(|spindle| self.rules.spindle_is(&current.block.state, spindle));
+            self.compare_tool(current);
             self.progress.take();
-            if tool != called {
-                let (tool, called) = (tool_name(tool), tool_name(called));
-                self.found(
-                    current,
-                    &format!("dwell with {tool} in the spindle, in the CL data it comes after {called}"),
-                );
+            if waits_with.is_some() {
+                phase.start_spindle();
+                self.functions.wait_with(waits_with);
             }
             let dry = self.rules.policy().links.dry_lift_mm.is_some();
-            if matches!(phase, Phase::Cutting(_)) && !dry && !runs {
+            if !dry && (waits || matches!(phase, Phase::Cutting(_)) && !runs) {
                 self.found(current, "dwell with the spindle off, or at another speed or sense than in the CL data");
             }
             return Ok(());
@@ -981,11 +1037,15 @@ impl Comparison<'_> {
         };
         let of_shop = current.block.own.as_ref().is_some_and(|own| own.places.iter().any(may_stop));
         match self.progress.next() {
-            Some(item) if suits(item) => self.progress.take(),
+            Some(item) if suits(item) => {
+                self.compare_tool(current);
+                self.progress.take();
+            }
             // The shop stops where the program and its operations start and end, and at its tool changes.
             _ if of_shop => return Ok(None),
             _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
         }
+        self.functions.wait_with(None);
         self.cuts_have_ended(current);
         self.is_parked(current);
         if phase.is_at_part() {
@@ -1077,6 +1137,9 @@ impl Comparison<'_> {
         self.pass_needless(phase)?;
         if self.progress.next().is_some() {
             self.found(current, "end code before the end of the CL data");
+        } else if let Some(last) = self.progress.last_tool().filter(|_| self.progress.last_tool() != self.previous.tool)
+        {
+            self.found(current, &format!("the CL data ends with a call of T{last}: the tool change is missing"));
         }
         if self.skippable {
             self.found(current, "the operator may skip the end code (`/`)");

@@ -37,6 +37,7 @@ use super::report::{Shown, Tally};
 use super::rules::{ModalContext, Rules, StateFault, StateItem, chord};
 use super::stream::{ExecutedBlock, Observer};
 use super::travel::{Findings, Travel};
+use crate::check::tolerances::BOTH;
 use crate::cl::ClEvents;
 use crate::kinematics::AnyMachine;
 use crate::program::{Location, Units};
@@ -145,6 +146,8 @@ struct Previous {
     tip_control: bool,
     /// The spindle or the coolant is known to be on.
     runs: bool,
+    /// The last tool that the program has changed to as the CL data calls it.
+    tool: Option<u32>,
 }
 
 /// The lines that have set parts of the state: a wrong value is reported there.
@@ -495,9 +498,12 @@ impl Comparison<'_> {
         match phase {
             Phase::Cutting(_) | Phase::Leaving(_) if block.action.is_feed() => false,
             Phase::Cutting(cutting) => {
-                let known = self.rules.is_known(block, block.known);
-                self.rapid_is_needless(cutting.here.as_ref())
-                    || known && self.may_lead_out(cutting, block, &self.rules.pose(block))
+                let here = cutting.here.as_ref();
+                let reaches = || {
+                    let end = self.rules.pose(block);
+                    self.may_reach_next(here, &end) && self.may_lead_out(cutting, block, &end)
+                };
+                self.rapid_is_needless(here) || self.rules.is_known(block, block.known) && reaches()
             }
             Phase::Leaving(leaving) => self.rapid_is_needless(Some(&leaving.here)),
             Phase::Retracted(retracted) => retracted.rewind.is_some() && block.action.is_rapid(),
@@ -509,6 +515,17 @@ impl Comparison<'_> {
     fn rapid_is_needless(&self, here: Option<&ToolPose>) -> bool {
         let mut needless = (0..MOST_NEEDLESS).take_while(|index| self.is_needless(*index, here));
         needless.any(|index| self.progress.get(index).and_then(ExpectedItem::motion).is_some_and(|motion| motion.rapid))
+    }
+
+    /// Whether a rapid may carry out a part of the next motion that needs a block.
+    fn may_reach_next(&self, here: Option<&ToolPose>, end: &ToolPose) -> bool {
+        let next = (0..MOST_NEEDLESS).find(|index| !self.is_needless(*index, here));
+        let item = next.and_then(|index| self.progress.get(index));
+        let motion = item.and_then(ExpectedItem::motion).filter(|motion| !motion.starts);
+        motion.is_some_and(|motion| {
+            let off_mm = || self.progress.segment(motion, here, end).distance(end, 0.0);
+            motion.rapid || off_mm() <= BOTH * self.rules.rounding().tip_mm
+        })
     }
 
     /// Whether the block at hand, which has two meanings, has the second in this reading.

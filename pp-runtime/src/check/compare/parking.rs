@@ -60,7 +60,12 @@ pub(super) fn missing(
     let solved = rules.axes().iter().enumerate().filter(|(_, axis)| !axis.held);
     solved.filter_map(move |(index, axis)| {
         let place = *places.get(&axis.letter)?;
-        let rotated = rotary & (1 << index) != 0 && apart(values[index], place) <= largest;
+        // Whole turns count where the axis does not roll over.
+        let off = match rules.policy().words.rollover.contains_key(&axis.letter) {
+            true => apart(values[index], place),
+            false => (values[index] - place).abs(),
+        };
+        let rotated = rotary & (1 << index) != 0 && off <= largest;
         let retracted = index == retract && (place - rules.policy().links.retract_mm).abs() < unit_mm;
         (!rotated && !retracted && moved & (1 << index) == 0).then_some(axis.letter)
     })

@@ -209,6 +209,15 @@ impl Phase {
         }
     }
 
+    /// The spindle starts for a dwell, after a stop or not.
+    pub(super) fn start_spindle(&mut self) {
+        match self {
+            Self::Unknown { stopped } => *stopped = false,
+            Self::Retracted(retracted) => retracted.stopped = false,
+            Self::Cutting(_) | Self::Leaving(_) | Self::Ended => {}
+        }
+    }
+
     pub(super) fn is_unknown(&self) -> bool {
         matches!(self, Self::Unknown { .. })
     }
@@ -229,9 +238,13 @@ impl RetractedLength {
         Self { out_mm: self.out_mm + by_mm, ..self }
     }
 
-    /// Adds the motion to a pose. `start`: where it begins; motions that need no block may have led there.
+    /// Adds the motion to a pose. `start`: where it begins, if motions that need no block have led there.
     pub(super) fn follow(&mut self, start: &Vector3<f64>, to: &ToolPose) {
-        let from = self.from.replace(*to).map_or(*to, |from| ToolPose { tip: *start, ..from });
+        let is_there = |from: &ToolPose| (start - from.tip).norm() <= SAME_POINT;
+        let from = self.from.replace(*to).map_or(*to, |from| match is_there(&from) {
+            true => ToolPose { tip: *start, ..from },
+            false => from,
+        });
         if !is_within_angle(&from.axis, &to.axis, ALONG_TOOL_AXIS) {
             (self.out_mm, self.end) = (0.0, None);
             return;

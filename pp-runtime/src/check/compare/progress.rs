@@ -126,6 +126,11 @@ impl<'a> ClProgress<'a> {
         self.expect.fault()
     }
 
+    /// The tool that the CL data has called last in the selected operations.
+    pub(super) fn last_tool(&self) -> Option<u32> {
+        self.expect.last_tool()
+    }
+
     /// Spindle state that the last SPINDL before the next item requests.
     pub(super) fn requested_spindle(&self) -> Option<Option<SpindleState>> {
         self.expect.requested_spindle()

@@ -95,14 +95,17 @@ impl Comparison<'_> {
         if station.places(&self.rules.policy().links).is_empty() {
             return false;
         }
-        let (spindle, next) = (block.state.tool, self.tool_of_next_motion());
+        let spindle = block.state.tool;
         match station {
             // At a restart point the tool in the spindle may be changed for itself, before the spindle is on.
             Station::Change => {
                 let again = self.start.restarted && block.state.spindle.flatten().is_none();
-                next.is_some_and(|next| next != spindle || again)
+                self.tool_due() != spindle || again
             }
-            Station::Measuring => self.shop_lines.is_measuring_due(spindle, next, self.skips_before_next_motion()),
+            Station::Measuring => {
+                let next = self.tool_of_next_motion();
+                self.shop_lines.is_measuring_due(spindle, next, self.skips_before_next_motion())
+            }
         }
     }
 

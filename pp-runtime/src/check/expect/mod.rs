@@ -120,10 +120,12 @@ pub(super) enum ExpectedAction {
     BlockSkip {
         on: bool,
     },
-    /// `of_tool`: after the record of a tool and before its first motion, so that it may come before or after the retract.
+    /// `of_tool`: after the record of a tool and before its first motion: it comes after the tool change. `spindle`: state that SPINDL
+    /// has requested before it, since the last operation.
     Dwell {
         seconds: f64,
         of_tool: bool,
+        spindle: Option<SpindleState>,
     },
     /// A block that is copied from the CL data.
     Raw(Vec<u8>),
@@ -267,6 +269,11 @@ impl<'a> Expect<'a> {
         let done = self.done();
         let after = self.next_message()?.after;
         if after < done { self.pop_message() } else { None }
+    }
+
+    /// The tool that the CL data has called last in the selected operations.
+    pub(super) fn last_tool(&self) -> Option<u32> {
+        self.source.borrow().state.last_call()
     }
 
     /// Whether the CL data has an error so far: no motion after it is known.

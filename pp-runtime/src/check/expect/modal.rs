@@ -54,6 +54,8 @@ pub(super) struct ClState<'a> {
     items: Kept<ExpectedItem>,
     /// Number of the last item that is no motion.
     last_other: u64,
+    /// The last tool that has been called in the selected operations.
+    last_call: Option<u32>,
     messages: Kept<ExpectedMessage>,
     /// OPSKIP/ON is in force.
     skippable: bool,
@@ -69,6 +71,8 @@ struct SpindleRecords {
     now: SpindleRecord,
     /// Since the end of the last operation.
     in_start: SpindleRecord,
+    /// A stop or NC text has come since the last one: the spindle starts in the approach.
+    held: bool,
 }
 
 /// Speed and sense of rotation as far as they are requested, and OFF.
@@ -172,6 +176,7 @@ impl<'a> ClState<'a> {
             holes: 0,
             items: Kept::default(),
             last_other: 0,
+            last_call: None,
             messages: Kept::default(),
             skippable: false,
             before_skip: (false, None),
@@ -328,6 +333,11 @@ impl<'a> ClState<'a> {
         self.last_other
     }
 
+    /// The last tool that has been called in the selected operations.
+    pub(super) fn last_call(&self) -> Option<u32> {
+        self.last_call
+    }
+
     /// A text that the control displays, where the configuration asks for it; before the first motion of an operation it
     /// belongs to that.
     fn message(&mut self, at: Location, text: &[u8], may_be_cut: bool) {
@@ -360,6 +370,7 @@ impl<'a> ClState<'a> {
 
     fn request_spindle(&mut self, spindle: Spindle) {
         self.spindle.now.take(spindle);
+        self.spindle.held = false;
         if self.operation.starts {
             self.spindle.in_start.take(spindle);
         } else {
@@ -423,6 +434,7 @@ impl<'a> ClState<'a> {
 
     fn interrupt(&mut self, at: Location, action: ExpectedAction) {
         self.operation.worked &= !matches!(action, ExpectedAction::Stop { .. });
+        self.spindle.held = true;
         self.begin_anew();
         self.push(at, action);
     }
@@ -442,6 +454,9 @@ impl<'a> ClState<'a> {
             self.operation.changed = true;
         }
         self.operation.called = true;
+        if self.is_selected(self.operation.number + 1, self.operation.reached || self.operation.named) {
+            self.last_call = Some(call.number);
+        }
         self.require().tool = Some(call.number);
         let diameter_mm = call.diameter_mm.or(given.and_then(|tool| tool.diameter_mm));
         self.require().radius_mm = diameter_mm.map(|diameter| 0.5 * diameter);
@@ -659,7 +674,13 @@ impl<'a> ClState<'a> {
         };
         if seconds > 0.0 {
             let of_tool = self.operation.starts && self.operation.called;
-            self.push(at, ExpectedAction::Dwell { seconds, of_tool });
+            let SpindleRecord { speed_rev_per_min, rotation, off } = self.spindle.in_start;
+            let is_on = self.operation.starts
+                && !off
+                && !self.spindle.held
+                && (speed_rev_per_min.is_some() || rotation.is_some());
+            let spindle = self.spindle_state().filter(|_| is_on);
+            self.push(at, ExpectedAction::Dwell { seconds, of_tool, spindle });
         }
     }
 
@@ -677,7 +698,10 @@ impl<'a> ClState<'a> {
 
     #[inline(always)]
     fn push(&mut self, at: Location, action: ExpectedAction) {
-        if self.is_selected(self.operation.number, self.operation.reached) {
+        // Records after the call of a tool belong to the operation that comes.
+        let Operation { number, starts, called, reached, named, .. } = self.operation;
+        let (opens, begins) = (u64::from(starts && called), starts && called && named);
+        if self.is_selected(number + opens, reached || begins) {
             let is_motion = matches!(action, ExpectedAction::Motion(_));
             self.items.push(ExpectedItem {
                 at,

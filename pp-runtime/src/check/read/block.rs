@@ -74,6 +74,14 @@ impl RotaryGuard {
 pub enum Effect {
     /// Nothing that the check reads.
     None,
+    /// It clamps work or sets it free: the machine has retracted before it, and the spindle is off.
+    Clamp,
+    /// It opens or closes a chuck.
+    Chuck,
+    /// It opens or closes a door.
+    Door,
+    /// It changes a pallet: positions are unknown afterwards.
+    Pallet,
     /// The coolant is unknown afterwards.
     Coolant,
     /// The spindle is unknown afterwards.
@@ -92,8 +100,12 @@ pub enum Effect {
 
 impl Effect {
     /// All, with their names in a configuration.
-    pub(crate) const NAMES: [(&'static str, Self); 8] = [
+    pub(crate) const NAMES: [(&'static str, Self); 12] = [
         ("none", Self::None),
+        ("clamp", Self::Clamp),
+        ("chuck", Self::Chuck),
+        ("door", Self::Door),
+        ("pallet", Self::Pallet),
         ("coolant", Self::Coolant),
         ("spindle", Self::Spindle),
         ("stop", Self::Stop),
@@ -185,6 +197,8 @@ pub struct OwnLine {
     pub places: Vec<OwnPlace>,
     /// Strongest effect that `[control] effects` declares for it.
     pub effect: Option<Effect>,
+    /// The machine stands retracted at it, with the spindle off: one of its effects is that of a clamp, a chuck, a door, a pallet.
+    pub stands: bool,
     /// Values of its fields.
     pub values: OwnValues,
 }

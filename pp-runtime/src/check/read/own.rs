@@ -177,6 +177,8 @@ fn bits(declared: Effect) -> u8 {
     match declared {
         // A tool change is a code of the block, not something that happens to it.
         Effect::None | Effect::ToolChange => 0,
+        Effect::Clamp | Effect::Chuck | Effect::Door => effect::STANDSTILL,
+        Effect::Pallet => effect::STANDSTILL | effect::POSITION,
         Effect::Coolant => effect::COOLANT,
         Effect::Spindle => effect::SPINDLE,
         Effect::Measures | Effect::PositionLost => effect::POSITION,
@@ -256,6 +258,7 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     let own = line.vocabulary().own.iter().filter(|own| matches(&own.text, text));
     let mut places: Vec<OwnPlace> = own.map(|own| own.place).collect();
     let effect = declared.map(|declared| declared.effect);
+    let stands = declared.is_some_and(|declared| declared.bits & effect::STANDSTILL != 0);
     let values = values(text, line);
     if let Some(Declared { bits, whole, .. }) = declared {
         let routine = |place: &OwnPlace| matches!(place, OwnPlace::MeasureTool | OwnPlace::CheckTool);
@@ -275,7 +278,7 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
             if places.is_empty() {
                 places.push(OwnPlace::Insert);
             }
-            return Some(OwnLine { places, effect, values });
+            return Some(OwnLine { places, effect, stands, values });
         }
     }
     if places.is_empty() {
@@ -283,7 +286,7 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     }
     if switched {
         line.excuse();
-        return Some(OwnLine { places, effect, values });
+        return Some(OwnLine { places, effect, stands, values });
     }
     if line.fault_count() > line.orders.frame_faults {
         // What it does is unknown, so nothing of it is executed.
@@ -302,7 +305,7 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
         );
         line.fault(0, text);
     }
-    Some(OwnLine { places, effect, values })
+    Some(OwnLine { places, effect, stands, values })
 }
 
 /// A text as a key of a TOML file.

@@ -50,6 +50,74 @@ fn a_tool_change_comes_after_the_complete_state_and_none_after_the_last_motion()
     }
 }
 
+/// The second tool is called, and a chuck opens, the program stops and waits before its first motion.
+const RECORDS_AFTER_A_CALL: &str = "UNITS/MM\nTOOL PATH/FIRST,TOOL,T1\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\n\
+                                    GOTO/0,0,50\nGOTO/0,0,0\nGOTO/20,0,2\nTOOL PATH/SECOND,TOOL,T2\nLOADTL/2\nAUXFUN/77\n\
+                                    CHUCK/OPEN\nSTOP\nSPINDL/RPM,1000,CLW\nDELAY/2\nRAPID\nGOTO/0,9,50\nGOTO/0,9,2\nGOTO/20,9,2\n";
+
+const CHUCK: &str = "cl.auxfun = [77]\ncl.words = { \"CHUCK/OPEN\" = \"M68\" }\n\
+                     control.effects = { M77 = \"none\", M68 = \"chuck\" }\nretract.distance = 20\n";
+
+/// The blocks of a program with these codes, one after the other.
+fn with_codes<'p>(program: &'p str, codes: &[&str]) -> Vec<&'p str> {
+    let words = |line: &'p str| line.split_whitespace().find(|word| codes.contains(word));
+    program.lines().filter(|line| !line.starts_with(['(', ';'])).filter_map(words).collect()
+}
+
+#[test]
+fn records_act_in_the_order_of_the_cl_data() {
+    for control in ["fanuc", "haas", "siemens", "linuxcnc", "heidenhain"] {
+        let program = posted_right::<Mill>(control, Mode::Axes, CHUCK, RECORDS_AFTER_A_CALL);
+        let plain = program.replace("M0", "M").replace("CYCL DEF 9.0", "G4").replace("G04", "G4");
+        let (_, second) = plain.split_once("SECOND").expect("the second operation");
+        let change = if control == "heidenhain" { "CALL" } else { "M6" };
+        let codes = with_codes(second, &["M5", "M3", "M77", "M68", "M0", "M", "G4", change]);
+        let stop = if control == "haas" { "M0" } else { "M" };
+        let mut wanted = vec!["M5", change, "M77", "M5", "M68", "M5", stop, "M3", "G4"];
+        if control == "heidenhain" {
+            // The speed is one of the tool call.
+            wanted.insert(7, change);
+        }
+        assert_eq!(codes[..wanted.len()], wanted, "{control}\n{program}");
+    }
+}
+
+#[test]
+fn a_record_that_has_left_its_place_is_found() {
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, CHUCK, RECORDS_AFTER_A_CALL);
+    let change = program.find("T2 M6\n").expect("the tool change");
+    let told = |changed: &str| assert_told::<Mill>("fanuc", Mode::Axes, CHUCK, RECORDS_AFTER_A_CALL, changed);
+    for record in ["M77\n", "M68\n", "M0\n", "G4 P2000\n"] {
+        let at = change + program[change..].find(record).expect("the record");
+        let without = format!("{}{}", &program[..at], &program[at + record.len()..]);
+        told(&without);
+        told(&format!("{}{record}{}", &without[..change], &without[change..]));
+    }
+    // The spindle is off in a tool change and where a chuck opens.
+    let stop = program[..change].rfind("M5\n").expect("the spindle stops");
+    told(&format!("{}{}", &program[..stop], &program[stop + 3..]));
+    for block in ["T2 M6\n", "M68\n"] {
+        let place = program.find(block).expect("the block");
+        told(&format!("{}S500 M3\n{}", &program[..place], &program[place..]));
+    }
+}
+
+#[test]
+fn a_tool_that_is_called_last_comes_into_the_spindle() {
+    let data = format!("{TWO_OPERATIONS}LOADTL/1\n");
+    for control in ["fanuc", "haas", "siemens", "linuxcnc", "heidenhain"] {
+        let program = posted_right::<Mill>(control, Mode::Axes, "", &data);
+        let calls = ["T1 M6\n", "T1 M06\n", "T1\nM6\n", "TOOL CALL 1 Z"];
+        let last = calls.iter().filter_map(|call| Some((program.rfind(call)?, call.len()))).max();
+        let (place, length) = last.expect("the tool change");
+        assert!(place > program.len() - 200, "{control}\n{program}");
+        let without = format!("{}{}", &program[..place], &program[place + length..]);
+        assert_told::<Mill>(control, Mode::Axes, "", &data, &without);
+    }
+    let twice = TWO_OPERATIONS.replace("LOADTL/2", "LOADTL/3\nLOADTL/2");
+    assert!(!posted_right::<Mill>("fanuc", Mode::Axes, "", &twice).contains("T3 M6"));
+}
+
 #[test]
 fn a_blank_around_the_cuts_is_named_in_the_header() {
     let note = "BLANK is the box around all cuts";

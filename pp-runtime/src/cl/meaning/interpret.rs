@@ -246,7 +246,7 @@ impl RecordInterpreter {
             }
             Record::Own(_, index) => {
                 self.path.forget_position();
-                self.events.push(here, QueuedEvent::Own(*index));
+                self.push(here, QueuedEvent::Own(*index));
                 Ok(())
             }
             Record::Inert => Ok(()),

@@ -1,11 +1,11 @@
 //! Words that are coordinates of the tip in a frame of the control, and the map from the workpiece to the words.
 
 use std::cell::Ref;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 
-use crate::kinematics::{AxisValues, MAX_AXES, OutOfLimits, Rotary, RotaryAngles, Solution};
+use crate::kinematics::{AxisValues, Rotary};
 use crate::nc::whole_units;
 
 use super::frame::{WordMap, no_plane};
@@ -19,10 +19,6 @@ use crate::shortcut::Shortcut;
 
 /// Largest deviation of an axis from its chord between two points of a block that are compared with the travel.
 const TRAVEL_SAMPLING_MM: f64 = 0.01;
-
-/// Rotation of the tool axis between two points of a block that are compared with the limits of the rotary axes: between them
-/// an axis is farther than at both by less than the check sees.
-const ROTATION_SAMPLING_RAD: f64 = PI / 1800.0;
 
 /// Largest number of points of a block that are compared with the travel.
 const MAX_TRAVEL_SAMPLES: f64 = 1000.0;
@@ -226,53 +222,10 @@ impl Placer {
         rule.choose(here, &others)
     }
 
-    /// Checks the travel inside a block in which the control moves the linear axes so that the tip stays on its line, and the
-    /// rotary axes where it finds them.
+    /// Checks the travel inside a block in which the control moves the linear axes so that the tip stays on its line.
     #[inline(always)]
     pub(crate) fn check_between(&mut self, from: &AxisPosition, to: &AxisPosition) -> Result<(), Fault> {
-        if self.frame.rotates_axis_in_plane() && self.rotary.limited && self.frame.counts_tip() {
-            self.check_rotation_between(from, to)?;
-        }
         if self.frame.counts_tip() && self.travel.limited() { self.check_points_between(from, to) } else { Ok(()) }
-    }
-
-    /// Compares the rotary axes with their limits while the tool axis rotates in the plane of its ends: an axis that is not
-    /// perpendicular to the other may go farther than at both of them.
-    fn check_rotation_between(&self, from: &AxisPosition, to: &AxisPosition) -> Result<(), Fault> {
-        let (before, after, scale) = (&from.pose.axis, &to.pose.axis, self.rotary.scale);
-        let steps = (angle_between(before, after) / ROTATION_SAMPLING_RAD).ceil();
-        let mut words = from.words;
-        let mut step = 1.0;
-        while step < steps {
-            let axis = before.slerp(after, step / steps);
-            step += 1.0;
-            let continued = |solution: &Solution<RotaryAngles>| {
-                let mut words = words;
-                for (rotary, angle) in self.rotary.axes.iter().zip(solution.axes) {
-                    let (word, at) = (rotary.word(angle, scale), words[rotary.index]);
-                    words[rotary.index] =
-                        rotary.without_limits().nearest(word, at, scale.units_per_turn).unwrap_or(word);
-                }
-                words
-            };
-            let solutions = self.machine.rotary_axes(&axis, &from.axes);
-            let nearest = solutions.iter().map(continued).min_by_key(|other| self.largest_step(&words, other));
-            let Some(nearest) = nearest.filter(|_| self.pole(&axis).is_none()) else { continue };
-            words = nearest;
-            let outside = self.rotary.axes.iter().find(|rotary| !rotary.contains(words[rotary.index]));
-            if let Some(&rotary) = outside {
-                let out = OutOfLimits { rotary, word: words[rotary.index] };
-                let fault = refusal::outside_limits(self, &[Some(out), None]);
-                return Err(fault.context("within this motion, with the tool axis in the plane of its ends"));
-            }
-        }
-        Ok(())
-    }
-
-    /// Largest rotation of a rotary axis between two positions, units.
-    fn largest_step(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> u64 {
-        let steps = self.rotary.axes.iter().map(|rotary| from[rotary.index].abs_diff(to[rotary.index]));
-        steps.max().unwrap_or_default()
     }
 
     fn check_points_between(&mut self, from: &AxisPosition, to: &AxisPosition) -> Result<(), Fault> {

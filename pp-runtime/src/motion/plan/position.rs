@@ -26,6 +26,8 @@ pub(crate) struct Position {
     worked_before_skip: bool,
     /// The retract axis is at its retract position.
     retracted: bool,
+    /// It is there with the complete state and the tool of the operation that comes.
+    prepared: bool,
     /// Linear words are tip coordinates: tip control is on, or a plane is tilted.
     in_frame: bool,
     /// Length by which the CL data has led the tool out along its axis.
@@ -46,6 +48,7 @@ impl Position {
             worked: false,
             worked_before_skip: false,
             retracted: false,
+            prepared: false,
             in_frame: false,
             lead_out: LeadOut::default(),
             lowest: None,
@@ -73,6 +76,16 @@ impl Position {
     /// Whether the retract axis is at its retract position.
     pub(crate) fn is_retracted(&self) -> bool {
         self.retracted
+    }
+
+    /// Whether the complete state and the tool of the operation that comes are in force.
+    pub(crate) fn is_prepared(&self) -> bool {
+        self.prepared
+    }
+
+    /// They are in force, at the machine retract.
+    pub(crate) fn prepare(&mut self) {
+        self.prepared = true;
     }
 
     /// Whether the rotary axes are at the angles of the place.
@@ -122,6 +135,7 @@ impl Position {
         self.rotary_known = true;
         self.worked = true;
         self.retracted = false;
+        self.prepared = false;
     }
 
     /// A block within a motion, or between two motions, has ended here.
@@ -141,6 +155,7 @@ impl Position {
         self.known = false;
         self.rotary_known = false;
         self.retracted = false;
+        self.prepared = false;
     }
 
     /// Forgets the position at a stop: what has moved needs no further one.
@@ -172,6 +187,7 @@ impl Position {
     /// The program is entered here: the tool may be anywhere.
     pub(crate) fn enter(&mut self) {
         self.known = false;
+        self.prepared = false;
         self.rotary_known = false;
     }
 

@@ -41,11 +41,6 @@ pub(crate) fn delay<S: Sink>(planner: &mut Planner<'_, S>, dwell: Dwell) -> Plan
     Ok(output.step(&Step::Dwell { seconds })?)
 }
 
-/// Writes the dwells that were kept for a tool, now in the spindle.
-pub(crate) fn kept_dwells<S: Sink>(planner: &mut Planner<'_, S>) -> Planned {
-    planner.tooling.take_dwells().into_iter().try_for_each(|dwell| delay(planner, dwell))
-}
-
 /// The planner while it takes a record.
 struct Records<'p, 'a, S> {
     planner: &'p mut Planner<'a, S>,
@@ -57,12 +52,19 @@ impl<S: Sink> Records<'_, '_, S> {
         if self.between {
             self.planner.end_operation()?;
         }
+        if event.writes_block() {
+            self.planner.carry_out_call()?;
+            if !matches!(event, Event::Text(..)) && self.planner.mover.restarts() == 0 {
+                // Nothing comes before the complete state and the retract.
+                self.planner.mover.machine_retract()?;
+            }
+        }
         match *event {
             // Motions are items of their own.
             Event::Motion(_) => Ok(()),
             Event::NewStart(start) => self.new_start(start),
             Event::Interruption(interruption) => {
-                kept_dwells(self.planner)?;
+                self.planner.spindle.hold();
                 self.interruption(interruption)
             }
             Event::Function(function) => self.function(function),
@@ -91,10 +93,7 @@ impl<S: Sink> Records<'_, '_, S> {
             NewStart::Tool(call) => self.call_tool(&call),
             NewStart::SetUp(number) => self.change_set_up(number),
             NewStart::SafeSequence => self.leave(),
-            NewStart::Home => {
-                kept_dwells(self.planner)?;
-                self.go_home()
-            }
+            NewStart::Home => self.go_home(),
         }
     }
 
@@ -125,8 +124,12 @@ impl<S: Sink> Records<'_, '_, S> {
                 Ok(())
             }
             MachineFunction::RotaryDirection(turning) => self.set_rotation_sense(turning),
-            MachineFunction::Delay(dwell) if self.between && self.planner.tooling.dwell_later(dwell) => Ok(()),
-            MachineFunction::Delay(dwell) => delay(self.planner, dwell),
+            MachineFunction::Delay(dwell) => {
+                if self.between && self.planner.spindle.is_on_requested_between() {
+                    self.planner.apply_spindle(false)?;
+                }
+                delay(self.planner, dwell)
+            }
             MachineFunction::Preselect(_) => Ok(()),
         }
     }
@@ -184,6 +187,13 @@ impl<S: Sink> Records<'_, '_, S> {
         let other = next.or(current).is_none_or(|known| known.number != tool.number);
         self.stop_after_operation(other || self.planner.tooling.changes_if_skipped(tool.number))?;
         self.leave()?;
+        if let Some(left_out) = next.filter(|next| next.number != tool.number) {
+            let text = format!(
+                "T{} is called, and T{} before anything is written: the first stays out of the program",
+                left_out.number, tool.number
+            );
+            self.planner.mover.output_mut().remark(Fault::new(text));
+        }
         if other {
             self.planner.spindle.change_tool(next.is_none());
         }
@@ -219,8 +229,12 @@ impl<S: Sink> Records<'_, '_, S> {
         }
         planner.stop_spindle()?;
         planner.mover.output_mut().step(&Step::Stop { optional })?;
-        // The operator may have done anything.
-        planner.spindle.forget();
+        // The operator may have done anything, and starts with the spindle as it was.
+        if retract {
+            planner.spindle.enter();
+        } else {
+            planner.spindle.forget();
+        }
         planner.coolant.forget();
         planner.mover.position_mut().stop();
         Ok(())
@@ -267,8 +281,17 @@ impl<S: Sink> Records<'_, '_, S> {
         self.leave()?;
         let planner = &mut *self.planner;
         planner.mover.output_mut().cancel_inverse_time()?;
-        if planner.mover.position().is_in_frame() {
+        let words = String::from_utf8_lossy(text);
+        let stands = |word: &String| words.trim() == word || words.split_whitespace().any(|one| one == word);
+        let stands = planner.policy.options.standstill.iter().any(stands);
+        if planner.mover.position().is_in_frame() || stands {
+            if stands && planner.mover.restarts() > 0 {
+                planner.stop_coolant()?;
+            }
             planner.mover.machine_retract()?;
+        }
+        if stands {
+            planner.spindle.stop(planner.mover.output_mut())?;
         }
         planner.mover.output_mut().step(&Step::Raw { text })?;
         planner.spindle.reset();

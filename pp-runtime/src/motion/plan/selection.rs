@@ -12,6 +12,8 @@ pub(crate) struct Selection {
     wanted: Option<RangeInclusive<u64>>,
     /// Number of the present operation; 0 before the first.
     number: u64,
+    /// Records after a tool call belong to the operation that comes.
+    opened: bool,
     /// The last selected operation has ended.
     over: bool,
 }
@@ -29,7 +31,7 @@ pub(crate) struct Opening {
 
 impl Selection {
     pub(crate) fn of(wanted: Option<RangeInclusive<u64>>) -> Self {
-        Self { wanted, number: 0, over: false }
+        Self { wanted, number: 0, opened: false, over: false }
     }
 
     fn holds(&self, number: u64) -> bool {
@@ -41,9 +43,21 @@ impl Selection {
         self.holds(self.number.max(1)) && !self.over
     }
 
-    /// Whether the operation after this one is written.
+    /// Number of the operation whose first motion comes next.
+    pub(crate) fn next_number(&self) -> u64 {
+        self.number + u64::from(!self.opened)
+    }
+
+    /// Whether it is written.
     pub(crate) fn next_is_written(&self) -> bool {
-        self.holds(self.number + 1) && !self.over
+        self.holds(self.next_number()) && !self.over
+    }
+
+    /// The operation whose first motion comes next begins with records.
+    pub(crate) fn open(&mut self) -> Opening {
+        let opening = self.begin(self.next_number());
+        self.opened = true;
+        opening
     }
 
     /// Whether the last selected operation has ended.
@@ -57,6 +71,7 @@ impl Selection {
         let (before, wanted) = (self.is_written(), self.holds(number));
         let ends = before && !wanted && number > 1;
         self.number = number;
+        self.opened = false;
         self.over |= ends;
         Opening { ends, wanted, enters: wanted && !before }
     }

@@ -17,8 +17,9 @@ use crate::motion::options::Transition;
 use crate::program::{Location, Move};
 
 use crate::motion::fault::{Fault, Planned};
+use crate::motion::plan::selection::Opening;
 use crate::motion::plan::tool::LoadedTool;
-use crate::motion::plan::{MotionAndNext, Planner, cutter, records};
+use crate::motion::plan::{MotionAndNext, Planner, cutter};
 use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::Next;
 use crate::motion::step::BlockReason;
@@ -80,10 +81,9 @@ impl<S: Sink> Planner<'_, S> {
         }
     }
 
-    /// Begins the operation of this number. Returns true if it is the first that is written and not the first of the program:
-    /// the state of the machine is unknown there.
-    fn begin_operation(&mut self, number: u64) -> Result<bool, crate::motion::plan::ItemError> {
-        let opening = self.selection.begin(number);
+    /// Begins an operation. Returns true if it is the first that is written and not the first of the program: the state of the
+    /// machine is unknown there.
+    fn begin_operation(&mut self, opening: Opening) -> Result<bool, crate::motion::plan::ItemError> {
         if opening.ends {
             self.skip_blocks(false)?;
             self.leave()?;
@@ -112,15 +112,48 @@ impl<S: Sink> Planner<'_, S> {
 
     /// The first motion of an operation, with the safe sequence before it.
     pub(crate) fn start(&mut self, ahead: MotionAndNext<'_>, operation: u64, planned: Option<RotaryTarget>) -> Planned {
-        let enters = self.begin_operation(operation)?;
+        let opening = self.selection.begin(operation);
+        let enters = self.begin_operation(opening)?;
         if self.selection.is_over() {
             return Ok(());
         }
-        let (wanted, other) = self.tooling.take_next();
-        let change = enters || other || self.tooling.is_uncertain();
-        if self.continues() && !change {
+        if self.continues() && !(enters || self.tooling.changes() || self.tooling.is_uncertain()) {
+            self.tooling.take_next();
             return self.start_directly(ahead, planned);
         }
+        let prepared = self.mover.position().is_prepared() && self.tooling.next().is_none();
+        if !prepared {
+            self.restart(enters)?;
+        }
+        self.enter_mode()?;
+        self.stop_spindle()?;
+        match self.tooling.current() {
+            Some(tool) => self.use_tool(tool)?,
+            None => self.start_operation()?,
+        }
+        self.apply_spindle(!prepared)?;
+        self.spindle.note_thread(false);
+        self.check_state(ahead.motion)?;
+        self.tooling.note_cut();
+        self.approach(ahead, planned)
+    }
+
+    /// Changes the tool that has been called, before a record that writes a block: records act in the order of the CL data.
+    pub(crate) fn carry_out_call(&mut self) -> Planned {
+        if self.tooling.next().is_none() || self.selection.is_over() {
+            return Ok(());
+        }
+        let opening = self.selection.open();
+        let enters = self.begin_operation(opening)?;
+        let changes = enters || self.tooling.changes() || self.tooling.is_uncertain();
+        if changes && !self.selection.is_over() { self.restart(enters) } else { Ok(()) }
+    }
+
+    /// Steps 1 to 3 up to the tool: the complete state, with the retract. The program can be entered here.
+    fn restart(&mut self, enters: bool) -> Planned {
+        let other = self.tooling.changes();
+        let change = enters || other || self.tooling.is_uncertain();
+        let wanted = self.tooling.take_next();
         self.leave()?;
         if other && !enters {
             self.end_tool()?;
@@ -129,7 +162,6 @@ impl<S: Sink> Planner<'_, S> {
         if self.retracts_before_restart() && !enters {
             self.mover.machine_retract()?;
         }
-        // The program can be entered here, so the state is complete, with the retract.
         let tool = wanted.or(self.tooling.current());
         self.mover.restart(change && tool.is_some())?;
         self.mover.position_mut().forget_retract();
@@ -137,18 +169,14 @@ impl<S: Sink> Planner<'_, S> {
         self.coolant.forget();
         self.stop_coolant()?;
         self.mover.machine_retract()?;
-        self.enter_mode()?;
-        self.stop_spindle()?;
-        match tool {
-            Some(tool) => self.load_tool(tool, change)?,
-            None => self.start_operation()?,
+        if enters {
+            self.spindle.enter();
         }
-        self.apply_spindle(true)?;
-        self.spindle.note_thread(false);
-        records::kept_dwells(self)?;
-        self.check_state(ahead.motion)?;
-        self.tooling.note_cut();
-        self.approach(ahead, planned)
+        if let Some(tool) = tool {
+            self.load_tool(tool, change)?;
+        }
+        self.mover.position_mut().prepare();
+        Ok(())
     }
 
     /// The blocks of the shop at the start of an operation.
@@ -232,7 +260,7 @@ impl<S: Sink> Planner<'_, S> {
         Ok(())
     }
 
-    /// Step 3 without the spindle, with the blocks of the shop.
+    /// The tool of step 3, with the blocks of the shop for it.
     fn load_tool(&mut self, tool: LoadedTool, change: bool) -> Planned {
         let before = self.tooling.current().and_then(|tool| tool.radius_mm);
         self.mover.output_mut().statistics_mut().end_tool(before);
@@ -241,9 +269,11 @@ impl<S: Sink> Planner<'_, S> {
         let given = self.policy.set_up.tools.get(&tool.number);
         let spindle = self.spindle.requested().resolve(given, self.policy)?;
         let radius_delta = cutter::radius_delta(self, &tool)?;
-        if change && !self.policy.options.retract.tool_change_position.is_empty() {
-            // It stops in the change; the axes do not go there with it on.
+        let goes = !self.policy.options.retract.tool_change_position.is_empty();
+        if change && (goes || self.spindle.may_run()) {
             self.spindle.stop(self.mover.output_mut())?;
+        }
+        if change && goes {
             self.mover.take_axes_to_tool_change()?;
         }
         self.mover.output_mut().step(&Step::Tool {
@@ -266,6 +296,11 @@ impl<S: Sink> Planner<'_, S> {
         if self.tooling.take_end() && !change {
             self.tool_routine(tool.number, ToolRoutine::Start)?;
         }
+        Ok(())
+    }
+
+    /// The blocks of the shop at the start of an operation, the length of its tool, and its guards.
+    fn use_tool(&mut self, tool: LoadedTool) -> Planned {
         self.start_operation()?;
         if self.mover.placer().gauge_line() {
             return Ok(());
@@ -348,7 +383,6 @@ impl<S: Sink> Planner<'_, S> {
     pub(crate) fn prepare_directly(&mut self, first: &Move) -> Planned {
         self.apply_spindle(false)?;
         self.stop_spindle()?;
-        records::kept_dwells(self)?;
         self.check_state(first)?;
         self.apply_coolant()
     }
@@ -457,7 +491,6 @@ impl<S: Sink> Planner<'_, S> {
             return self.mover.park();
         }
         self.cutter.check_end()?;
-        records::kept_dwells(self)?;
         self.mover.output_mut().serve(at, BlockReason::LeadOut);
         self.end_operation()?;
         self.leave()?;
@@ -467,6 +500,10 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.output_mut().cancel_inverse_time()?;
         self.mover.machine_retract()?;
         self.spindle.stop(self.mover.output_mut())?;
+        if self.tooling.changes() && self.selection.next_is_written() {
+            // The shop ends with another tool in the spindle.
+            self.restart(false)?;
+        }
         self.mover.park()
     }
 }

@@ -18,6 +18,10 @@ pub(crate) struct SpindleState {
     between: SpindleRequest,
     /// Speed in rev/min and sense of rotation as written; `None` if off or unknown.
     running: Option<(f64, Rotation)>,
+    /// A stop or NC text came after the last SPINDL: it is for the approach.
+    held: bool,
+    /// It may be on although `running` is unknown: since a stop, or NC text.
+    uncertain: bool,
     /// SPINDL/OFF came after the last motion: written before the next, or when the tool is out of the part.
     stop_pending: bool,
     /// A cycle has stopped the spindle.
@@ -28,6 +32,7 @@ impl SpindleState {
     /// SPINDL; `between`: it comes between two operations.
     pub(crate) fn request(&mut self, command: Command, between: bool) {
         self.request.take(command);
+        self.held = false;
         if between {
             self.between.take(command);
         }
@@ -44,9 +49,29 @@ impl SpindleState {
         self.between = SpindleRequest::default();
     }
 
+    /// Whether SPINDL has switched the spindle on since the last operation, stop or NC text.
+    pub(crate) fn is_on_requested_between(&self) -> bool {
+        self.between != SpindleRequest::default() && !self.between.off && !self.held
+    }
+
+    /// A stop or NC text comes: the spindle starts in the approach.
+    pub(crate) fn hold(&mut self) {
+        self.held = true;
+    }
+
     /// Request of the CL data.
     pub(crate) fn requested(&self) -> &SpindleRequest {
         &self.request
+    }
+
+    /// Whether it may be on. It is off where a program begins.
+    pub(crate) fn may_run(&self) -> bool {
+        self.running.is_some() || self.uncertain
+    }
+
+    /// The program is entered here, or goes on, with the spindle off.
+    pub(crate) fn enter(&mut self) {
+        (self.running, self.uncertain) = (None, false);
     }
 
     /// Whether the last SPINDL was SPINDL/OFF.
@@ -69,11 +94,12 @@ impl SpindleState {
     /// Forgets the state.
     pub(crate) fn forget(&mut self) {
         self.running = None;
+        self.uncertain = true;
     }
 
     /// Forgets the state and a pending stop.
     pub(crate) fn reset(&mut self) {
-        self.running = None;
+        self.forget();
         self.stop_pending = false;
     }
 
@@ -131,6 +157,7 @@ impl SpindleState {
     /// Stops the spindle.
     pub(crate) fn stop<S: Sink>(&mut self, output: &mut Output<S>) -> io::Result<()> {
         self.reset();
+        self.uncertain = false;
         output.step(&Step::SpindleOff)
     }
 

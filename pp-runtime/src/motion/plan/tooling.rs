@@ -2,8 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use crate::program::Dwell;
-
 use crate::motion::plan::tool::LoadedTool;
 
 /// The tools of a program while it is planned.
@@ -12,8 +10,6 @@ pub(crate) struct Tooling {
     current: Option<LoadedTool>,
     /// Tool of the next operation.
     next: Option<LoadedTool>,
-    /// Dwells (DELAY) after the record of the next tool.
-    dwells: Vec<Dwell>,
     /// Tools in the order of their changes, as far as known.
     order: Vec<u32>,
     /// Tools that cut with cutter compensation, where they are known.
@@ -93,24 +89,14 @@ impl Tooling {
         self.called_if_skipped = None;
     }
 
-    /// Keeps a dwell for the next tool; `false` if none is called.
-    pub(crate) fn dwell_later(&mut self, dwell: Dwell) -> bool {
-        if self.next.is_some() {
-            self.dwells.push(dwell);
-        }
-        self.next.is_some()
+    /// Takes the tool that has been called for the next operation.
+    pub(crate) fn take_next(&mut self) -> Option<LoadedTool> {
+        self.next.take()
     }
 
-    /// The dwells kept for the tool.
-    pub(crate) fn take_dwells(&mut self) -> Vec<Dwell> {
-        std::mem::take(&mut self.dwells)
-    }
-
-    /// Tool called for an operation, and whether it has to be changed.
-    pub(crate) fn take_next(&mut self) -> (Option<LoadedTool>, bool) {
-        let wanted = self.next.take();
-        let change = wanted.is_some_and(|wanted| self.current.is_none_or(|tool| tool.number != wanted.number));
-        (wanted, change)
+    /// Whether another tool has been called than the one in the spindle.
+    pub(crate) fn changes(&self) -> bool {
+        self.next.is_some_and(|wanted| self.current.is_none_or(|tool| tool.number != wanted.number))
     }
 
     /// Sets the tool in the spindle.

@@ -45,6 +45,7 @@ fn two_tools_go_through_every_step_of_the_safe_sequence_one_block_each() {
             "N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01",
             "M9",
             "G53 G0 Z0",
+            "M5",
             "T2 M6",
             "G53 G0 Z0",
             "G43 H2",
@@ -229,8 +230,8 @@ fn a_direct_transition_continues_from_the_end_of_the_operation_but_never_over_a_
     let lines = lines::<Xyz>(&direct, &events);
     let next = lines.iter().position(|line| line == "(OPERATION NEXT)").expect("the operation");
     assert_eq!(
-        lines[next + 1..next + 6],
-        ["X5", "N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01", "M9", "G53 G0 Z0", "T2 M6"]
+        lines[next + 1..next + 7],
+        ["X5", "N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01", "M9", "G53 G0 Z0", "M5", "T2 M6"]
     );
 }
 

@@ -37,7 +37,12 @@ fn a_line_without_a_declared_effect_is_a_fault_that_names_it() {
         assert_eq!(blocks[0].faults, [], "{family:?}");
         assert_eq!(
             blocks[0].own,
-            Some(OwnLine { places: vec![OwnPlace::Start], effect: Some(Effect::None), values: OwnValues::default() }),
+            Some(OwnLine {
+                places: vec![OwnPlace::Start],
+                effect: Some(Effect::None),
+                stands: false,
+                values: OwnValues::default()
+            }),
             "{family:?}"
         );
         // A line that is not in the configuration stays a fault.
@@ -101,8 +106,12 @@ fn clamps_are_known_once_their_codes_have_come() {
 fn a_text_of_insert_has_the_effect_that_is_declared_for_it() {
     let blocks = with(Family::Fanuc, Vec::new(), &[("G65 P9000", Effect::Measures)], &format!("{HEAD}G65 P9000\n"));
     let last = blocks.last().expect("a block");
-    let measures =
-        OwnLine { places: vec![OwnPlace::Insert], effect: Some(Effect::Measures), values: OwnValues::default() };
+    let measures = OwnLine {
+        places: vec![OwnPlace::Insert],
+        effect: Some(Effect::Measures),
+        stands: false,
+        values: OwnValues::default(),
+    };
     assert_eq!((&last.faults[..], last.known, &last.own), (&[][..], 0, &Some(measures)));
 }
 
@@ -151,6 +160,7 @@ fn a_line_of_the_shop_is_known_by_its_words_whatever_its_number_and_comments() {
             let wanted = OwnLine {
                 places: vec![OwnPlace::Insert],
                 effect: Some(Effect::Measures),
+                stands: false,
                 values: OwnValues::default(),
             };
             assert_eq!((&measured[0].faults[..], &measured[0].own), (&[][..], &Some(wanted)), "{family:?}: {text}");

@@ -55,7 +55,7 @@ fn expressions(control: Control) -> &'static [(&'static str, f64)] {
             ("[1 + 2] * -3", -9.0),
             ("7 MOD 4", 3.0),
             ("[3 GT 2]", 1.0),
-            ("[1 EQ 2 OR 2 LT 3]", 1.0),
+            ("[[1 EQ 2] OR [2 LT 3]]", 1.0),
             ("SIN[30] * 2", 1.0),
             ("COS[60] + TAN[45]", 1.5),
             ("ATAN[1]/[-1]", 135.0),
