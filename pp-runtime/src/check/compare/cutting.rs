@@ -253,7 +253,8 @@ impl Comparison<'_> {
         let known = self.rules.is_known(block, self.previous.known);
         if at_feed && known {
             let rotated_rad = self.rules.words().rotary_travel(&self.previous.words, &block.values);
-            if rotated_rad > self.rules.largest_rest_rad() {
+            // At a pole an axis may have to go round between its limits.
+            if rotated_rad > 4.0 * PI {
                 let degrees = rotated_rad.to_degrees();
                 self.found(
                     current,
