@@ -336,7 +336,7 @@ impl LineEffect {
         Self::NAMES.iter().find(|(_, effect)| *effect == self).map_or("", |(name, _)| name)
     }
 
-    /// Whether the machine stands retracted with the spindle off where a line has this effect.
+    /// Whether the machine retracts and the spindle stops before a line with this effect.
     pub(crate) const fn needs_standstill(self) -> bool {
         matches!(self, Self::Clamp | Self::Chuck | Self::Door | Self::Pallet)
     }

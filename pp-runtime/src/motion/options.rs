@@ -118,7 +118,7 @@ options! {
         operations: OperationTable = OperationTable::default(), key("operations", OperationsTable);
         /// Dry run: distance by which every point is moved out along the tool axis, mm; the spindle stays off.
         lift_mm: Option<f64> = None;
-        /// Words of NC text at which work is clamped or a door moves: the machine stands retracted, with the spindle off.
+        /// Words of NC text at which work is clamped or a door moves: before them the machine retracts and the spindle stops.
         standstill: Vec<String> = Vec::new();
     }
 }

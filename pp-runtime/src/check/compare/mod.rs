@@ -53,7 +53,7 @@ use station::Station;
 /// Blocks after which it is decided which of two meanings a block had: it has been seen where the program goes on.
 const DECIDED: u32 = 48;
 
-/// Largest number of readings beside the best.
+/// Largest number of readings that are kept with the best.
 const MOST_OTHERS: usize = 7;
 
 /// A program while it is compared.
@@ -349,9 +349,10 @@ impl Reading<'_> {
         if !self.comparison.may_have_two_meanings(&self.phase, block) {
             return self.block(block, text).map(|()| None);
         }
+        self.comparison.way = Way::default();
         let mut other = self.clone();
         self.block(block, text)?;
-        if !std::mem::take(&mut self.comparison.way.two) {
+        if !self.comparison.way.two {
             return Ok(None);
         }
         let count = other.count();

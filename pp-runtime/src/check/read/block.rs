@@ -197,7 +197,7 @@ pub struct OwnLine {
     pub places: Vec<OwnPlace>,
     /// Strongest effect that `[control] effects` declares for it.
     pub effect: Option<Effect>,
-    /// The machine stands retracted at it, with the spindle off: one of its effects is that of a clamp, a chuck, a door, a pallet.
+    /// Before it the machine retracts and the spindle stops: one of its effects is that of a clamp, a chuck, a door or a pallet.
     pub stands: bool,
     /// Values of its fields.
     pub values: OwnValues,

@@ -21,7 +21,7 @@ pub(super) mod effect {
     pub(in super::super) const STATE: u8 = 16;
     /// Modes and work offset, by blocks that measure a tool or look for its breakage.
     pub(in super::super) const MODES: u8 = 32;
-    /// None of the state: the machine has to stand.
+    /// None of the state: retract and spindle off are required before it.
     pub(in super::super) const STANDSTILL: u8 = 64;
 }
 

@@ -117,7 +117,7 @@ impl<S: Sink> Planner<'_, S> {
         if self.selection.is_over() {
             return Ok(());
         }
-        if self.continues() && !(enters || self.tooling.changes() || self.tooling.is_uncertain()) {
+        if self.continues() && !enters && !self.tooling.needs_change() {
             self.tooling.take_next();
             return self.start_directly(ahead, planned);
         }
@@ -145,14 +145,14 @@ impl<S: Sink> Planner<'_, S> {
         }
         let opening = self.selection.open();
         let enters = self.begin_operation(opening)?;
-        let changes = enters || self.tooling.changes() || self.tooling.is_uncertain();
+        let changes = enters || self.tooling.needs_change();
         if changes && !self.selection.is_over() { self.restart(enters) } else { Ok(()) }
     }
 
     /// Steps 1 to 3 up to the tool: the complete state, with the retract. The program can be entered here.
     fn restart(&mut self, enters: bool) -> Planned {
         let other = self.tooling.changes();
-        let change = enters || other || self.tooling.is_uncertain();
+        let change = enters || self.tooling.needs_change();
         let wanted = self.tooling.take_next();
         self.leave()?;
         if other && !enters {

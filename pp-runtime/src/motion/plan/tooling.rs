@@ -99,6 +99,11 @@ impl Tooling {
         self.next.is_some_and(|wanted| self.current.is_none_or(|tool| tool.number != wanted.number))
     }
 
+    /// Whether a tool has to be changed: another has been called, or may be in the spindle.
+    pub(crate) fn needs_change(&self) -> bool {
+        self.changes() || self.uncertain
+    }
+
     /// Sets the tool in the spindle.
     pub(crate) fn load(&mut self, tool: LoadedTool, change: bool) {
         let again = self.uncertain && self.current.is_some_and(|current| current.number == tool.number);
@@ -122,11 +127,6 @@ impl Tooling {
     /// Whether a call is a change to another tool where the blocks before it were skipped.
     pub(crate) fn changes_if_skipped(&self, number: u32) -> bool {
         self.called_if_skipped.is_some_and(|before| before != number)
-    }
-
-    /// Whether another tool may be in the spindle than the last one called.
-    pub(crate) fn is_uncertain(&self) -> bool {
-        self.uncertain
     }
 
     /// The tool after this one, where it is the tool of the last change; after the last one the `first`, for the next part.
