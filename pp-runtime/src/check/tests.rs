@@ -451,6 +451,24 @@ tools = { 3 = { length = 156.9346 } }\n";
     }
 }
 
+/// ROTABL/NEXT turns the table between two holes of one tool axis, and the tool is led to the second one as to the first.
+#[test]
+fn a_hole_is_approached_again_where_the_table_turns_for_it() {
+    let data = "UNITS/MM
+TOOL PATH/HOLES,TOOL,T1
+LOADTL/1
+CYCLE/DRILL,RAPTO,11,FEDTO,-20,RTRCTO,14,DWELL,REV,3,MMPM,387
+ROTABL/NEXT,CCLW
+GOTO/25.923754,12.183644,-43.619778,0.2588190,0.9659258,0
+GOTO/37.061096,-2.247340,-26.058269
+";
+    let set_up = "course = { start_branch = \"first\" }\ncycles = { output = \"expanded\" }
+limits = { C = [-200, 200] }\n";
+    for control in ["heidenhain", "fanuc", "siemens"] {
+        posted_right::<HeadTable>(control, Mode::Plane, set_up, data);
+    }
+}
+
 /// An axis that takes the short way makes half a turn in two blocks, and everything else goes half its way with it.
 #[test]
 fn a_rapid_of_half_a_turn_goes_in_steps_where_axes_take_the_short_way() {

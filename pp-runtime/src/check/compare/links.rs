@@ -744,7 +744,8 @@ impl Comparison<'_> {
         self.progress.motion().is_some_and(|next| self.rules.is_at(end, &self.approach_point(0, next)))
     }
 
-    /// An approach to a hole leads straight over it: the lift from the last position and the way over are not needed.
+    /// An approach to a hole leads straight over it, and down to it: the lift from the last position, the way over and a rapid on
+    /// the way down are not needed.
     fn pass_lift_to_hole(&mut self, end: &ToolPose) {
         let ahead = |index: usize| {
             let item = self.progress.get(index)?;
@@ -754,7 +755,8 @@ impl Comparison<'_> {
         let rapids = (0..).map_while(ahead).take_while(|(hole, motion)| *hole == number && motion.rapid);
         let count = rapids
             .enumerate()
-            .find(|(index, (_, motion))| self.rules.is_at(end, &self.approach_point(*index, motion)))
+            .filter(|(index, (_, motion))| self.rules.is_at(end, &self.approach_point(*index, motion)))
+            .last()
             .map_or(0, |(count, _)| count);
         (0..count).for_each(|_| self.progress.pass());
     }

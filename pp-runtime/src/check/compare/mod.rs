@@ -254,32 +254,33 @@ impl<'a> Checker<'a> {
 
     /// Compares one block.
     pub(super) fn block(&mut self, block: &Block, text: &[u8]) -> io::Result<()> {
-        let second = self.reading.block_in_two_ways(block, text)?;
-        if self.others.is_empty() && second.is_none() { Ok(()) } else { self.block_of_others(second, block, text) }
+        match self.others.is_empty() && !self.reading.may_have_two_meanings(block) {
+            true => self.reading.block(block, text),
+            false => self.block_of_all(block, text),
+        }
     }
 
-    /// The same for the other readings, of which the last block has begun `second`.
+    /// The same in all readings.
     #[inline(never)]
-    fn block_of_others(&mut self, second: Option<Reading<'a>>, block: &Block, text: &[u8]) -> io::Result<()> {
-        let mut begun = second.is_some();
-        let mut readings: Vec<Reading<'a>> = second.into_iter().collect();
-        for mut other in std::mem::take(&mut self.others) {
-            let second = other.block_in_two_ways(block, text)?;
-            begun |= second.is_some();
-            readings.push(other);
-            readings.extend(second);
+    fn block_of_all(&mut self, block: &Block, text: &[u8]) -> io::Result<()> {
+        let mut begun = Vec::new();
+        for reading in self.readings() {
+            begun.extend(reading.block_in_two_ways(block, text)?);
         }
-        self.apart = if begun { 0 } else { self.apart + 1 };
+        self.apart = if begun.is_empty() { self.apart + 1 } else { 0 };
+        self.others.append(&mut begun);
         // The first of those with the fewest findings is the best so far.
-        let fewest = readings.iter().map(Reading::count).min().unwrap_or_default();
-        let best = readings.iter().position(|reading| reading.count() == fewest);
+        let fewest = self.others.iter().map(Reading::count).min().unwrap_or_default();
+        let best = self.others.iter().position(|reading| reading.count() == fewest);
         if let Some(best) = best.filter(|_| fewest < self.reading.count()) {
-            std::mem::swap(&mut self.reading, &mut readings[best]);
+            std::mem::swap(&mut self.reading, &mut self.others[best]);
         }
-        let is_decided = self.apart > DECIDED || readings.len() > MOST_OTHERS;
-        self.others = if is_decided { Vec::new() } else { readings };
+        if self.apart > DECIDED || self.others.len() > MOST_OTHERS {
+            self.others.clear();
+        }
         Ok(())
     }
+
     /// Compares one block and shows it to an observer.
     pub(super) fn observed(&mut self, block: &Block, text: &[u8], observer: &mut dyn Observer) -> io::Result<()> {
         let comparison = &self.reading.comparison;
@@ -344,9 +345,29 @@ impl Reading<'_> {
         }
     }
 
+    /// Whether a block may be found to have two meanings.
+    #[inline]
+    fn may_have_two_meanings(&self, block: &Block) -> bool {
+        let comparison = &self.comparison;
+        match &self.phase {
+            Phase::Cutting(_) | Phase::Leaving(_) if block.action.is_feed() => false,
+            Phase::Cutting(cutting) => {
+                let here = cutting.here.as_ref();
+                let reaches = || {
+                    let end = comparison.rules.pose(block);
+                    comparison.may_reach_next(here, &end) && comparison.may_lead_out(cutting, block, &end)
+                };
+                comparison.rapid_is_needless(here) || comparison.rules.is_known(block, block.known) && reaches()
+            }
+            Phase::Leaving(leaving) => comparison.rapid_is_needless(Some(&leaving.here)),
+            Phase::Retracted(retracted) => retracted.rewind.is_some() && block.action.is_rapid(),
+            Phase::Unknown { .. } | Phase::Ended => false,
+        }
+    }
+
     /// Compares one block. Returns the reading in which it has its second meaning, if it has one and nothing is wrong with it.
     fn block_in_two_ways(&mut self, block: &Block, text: &[u8]) -> io::Result<Option<Self>> {
-        if !self.comparison.may_have_two_meanings(&self.phase, block) {
+        if !self.may_have_two_meanings(block) {
             return self.block(block, text).map(|()| None);
         }
         self.comparison.way = Way::default();
@@ -490,25 +511,6 @@ impl Comparison<'_> {
             (Task::Stop, action) => self.stop(phase, *action == Action::OptionalStop, current),
             (Task::End, _) => self.end(phase, current).map(Some),
             _ => Ok(None),
-        }
-    }
-
-    /// Whether a block may be found to have two meanings.
-    #[inline]
-    fn may_have_two_meanings(&self, phase: &Phase, block: &Block) -> bool {
-        match phase {
-            Phase::Cutting(_) | Phase::Leaving(_) if block.action.is_feed() => false,
-            Phase::Cutting(cutting) => {
-                let here = cutting.here.as_ref();
-                let reaches = || {
-                    let end = self.rules.pose(block);
-                    self.may_reach_next(here, &end) && self.may_lead_out(cutting, block, &end)
-                };
-                self.rapid_is_needless(here) || self.rules.is_known(block, block.known) && reaches()
-            }
-            Phase::Leaving(leaving) => self.rapid_is_needless(Some(&leaving.here)),
-            Phase::Retracted(retracted) => retracted.rewind.is_some() && block.action.is_rapid(),
-            Phase::Unknown { .. } | Phase::Ended => false,
         }
     }
 

@@ -159,6 +159,10 @@ pub(super) struct Expect<'a> {
     messages: VecDeque<ExpectedMessage>,
     /// Numbers of items and of messages that have been read from the source.
     read: (u64, u64),
+    /// Number of the last item so far that is no motion.
+    last_other: u64,
+    /// The CL data has an error so far: no motion after it is known.
+    failed: bool,
 }
 
 /// The CL data, for all readings of one program.
@@ -179,6 +183,11 @@ impl Source<'_> {
         })?;
         Ok(())
     }
+
+    /// Whether the CL data has an error so far.
+    fn failed(&self) -> bool {
+        self.events.facts().is_some_and(|facts| facts.failed) || self.state.fault().is_some()
+    }
 }
 
 impl<'a> Expect<'a> {
@@ -193,7 +202,14 @@ impl<'a> Expect<'a> {
             state: ClState::new(policy, head, unit_mm),
             ended: false,
         };
-        Self { source: Rc::new(RefCell::new(source)), items: VecDeque::new(), messages: VecDeque::new(), read: (0, 0) }
+        Self {
+            source: Rc::new(RefCell::new(source)),
+            items: VecDeque::new(),
+            messages: VecDeque::new(),
+            read: (0, 0),
+            last_other: 0,
+            failed: false,
+        }
     }
 
     /// Reads ahead and returns the items that are known.
@@ -224,12 +240,14 @@ impl<'a> Expect<'a> {
         while let Some(message) = source.state.messages().take(&mut self.read.1, alone) {
             self.messages.push_back(message);
         }
+        self.last_other = source.state.last_other();
+        self.failed = source.failed();
         Ok(())
     }
 
     /// Whether there may be others than motions among the items that are known.
     pub(super) fn has_others(&self) -> bool {
-        self.source.borrow().state.last_other() > self.done()
+        self.last_other > self.done()
     }
 
     /// Number of items that have been taken.
@@ -278,8 +296,7 @@ impl<'a> Expect<'a> {
 
     /// Whether the CL data has an error so far: no motion after it is known.
     pub(super) fn failed(&self) -> bool {
-        let source = self.source.borrow();
-        source.events.facts().is_some_and(|facts| facts.failed) || source.state.fault().is_some()
+        self.failed
     }
 
     /// First error of the CL data.
