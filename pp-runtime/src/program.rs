@@ -575,7 +575,7 @@ pub enum Interruption<'a> {
         on: bool,
     },
     /// INSERT, and a statement of the shop: block of NC text, as written.
-    Insert(&'a [u8]),
+    Insert(&'a [u8], BlockPlace),
     /// A statement at which a probe measures from where the tool is: blocks, one or more.
     Probe(&'a [String]),
     /// AUXFUN, PREFUN: an M or G code of the control.
@@ -584,7 +584,39 @@ pub enum Interruption<'a> {
         letter: u8,
         /// Number after the letter.
         number: u32,
+        /// Where it comes.
+        place: BlockPlace,
     },
+}
+
+/// Where a block of the shop comes that stands between the call of a tool and the motion after it: `at` in `[cl.words]`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum BlockPlace {
+    /// Not stated: records act in the order of the CL data, after the tool change.
+    #[default]
+    InOrder,
+    /// With the tool that is in the spindle.
+    BeforeChange,
+    /// With the tool that has been called.
+    AfterChange,
+    /// Before the approach to the next motion, after the other records.
+    AtApproach,
+}
+
+impl BlockPlace {
+    /// Names of those that can be stated.
+    pub(crate) const NAMES: [(&'static str, Self); 3] =
+        [("before_change", Self::BeforeChange), ("after_change", Self::AfterChange), ("at_approach", Self::AtApproach)];
+
+    /// The place in the words of a summary; empty where it is not stated.
+    pub(crate) const fn phrase(self) -> &'static str {
+        match self {
+            Self::InOrder => "",
+            Self::BeforeChange => " before the tool change",
+            Self::AfterChange => " after the tool change",
+            Self::AtApproach => " at the approach",
+        }
+    }
 }
 
 impl Interruption<'_> {
@@ -593,7 +625,7 @@ impl Interruption<'_> {
         match self {
             Self::Stop | Self::OptionalStop => "the program stops",
             Self::BlockSkip { .. } => "OPSKIP follows",
-            Self::Insert(_) | Self::Code { .. } => "NC text of the CL data follows",
+            Self::Insert(..) | Self::Code { .. } => "NC text of the CL data follows",
             Self::Probe(_) => "a probe measures",
         }
     }

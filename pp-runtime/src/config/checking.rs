@@ -356,8 +356,11 @@ impl Config {
         }
         self.cl.auxfun.iter().for_each(|code| add(&format!("M{code}"), OwnPlace::Insert, None));
         self.cl.prefun.iter().for_each(|code| add(&format!("G{code}"), OwnPlace::Insert, None));
-        let statements = self.cl.own_statements.iter().chain(&self.cl.probes);
-        statements.flat_map(|own| own.blocks()).for_each(|block| add(block, OwnPlace::Insert, None));
+        for own in self.cl.own_statements.iter().chain(&self.cl.probes) {
+            let is_clear = own.is_harmless() || own.probes() || own.code().is_some();
+            let place = if is_clear { OwnPlace::Insert } else { OwnPlace::Unconfirmed };
+            own.blocks().iter().for_each(|block| add(block, place, None));
+        }
         lines
     }
 }

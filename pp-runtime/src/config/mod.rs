@@ -35,10 +35,10 @@ mod tests;
 
 use std::collections::BTreeSet;
 
-use crate::cl as reading;
-use crate::control::{self, Control, ControlOptions, Demands, take_out_lacking};
+use crate::cl::{self as reading, OwnStatement};
+use crate::control::{self, Control, ControlOptions, Demands, LineEffect, take_out_lacking};
 use crate::keys::{OneOf, options};
-use crate::motion::{self, Policy};
+use crate::motion::{self, Policy, StandstillWord};
 use crate::nc;
 use crate::set_up::SetUp;
 
@@ -105,8 +105,22 @@ impl Config {
         config.left_out.extend(lacking);
         let declared = config.control.effects.iter().map(|(text, effect)| (text.as_str(), *effect));
         let stands = declared.chain(control.effects().iter().copied()).filter(|(_, effect)| effect.needs_standstill());
-        config.motion.standstill = stands.map(|(text, _)| text.to_owned()).collect();
+        let stands = stands.map(|(text, effect)| (text, Some(effect.name())));
+        let stands = stands.chain(self.unconfirmed().map(|block| (block, None)));
+        let word = |(text, effect): (&str, _)| StandstillWord { text: text.trim().to_owned(), effect };
+        config.motion.standstill = stands.map(word).collect();
         config
+    }
+
+    /// Blocks of `[cl.words]` with a code that is declared "none", and not confirmed to be harmless.
+    pub(crate) fn unconfirmed(&self) -> impl Iterator<Item = &str> {
+        let is_none = |block: &str| {
+            let declared = self.control.effects.iter().filter(|(_, effect)| **effect == LineEffect::None);
+            let mut texts = declared.map(|(text, _)| text.as_str());
+            texts.any(|text| block.trim() == text || block.split_whitespace().any(|one| one == text))
+        };
+        let statements = self.cl.own_statements.iter().filter(|own| own.code().is_none() && !own.is_harmless());
+        statements.flat_map(OwnStatement::blocks).map(String::as_str).filter(move |block| is_none(block))
     }
 
     /// Whether no part origin is given, so that the part zero is taken to be the reference point of the table.

@@ -118,9 +118,18 @@ options! {
         operations: OperationTable = OperationTable::default(), key("operations", OperationsTable);
         /// Dry run: distance by which every point is moved out along the tool axis, mm; the spindle stays off.
         lift_mm: Option<f64> = None;
-        /// Words of NC text at which work is clamped or a door moves: before them the machine retracts and the spindle stops.
-        standstill: Vec<String> = Vec::new();
+        /// Words of NC text before which the machine retracts and the spindle stops.
+        standstill: Vec<StandstillWord> = Vec::new();
     }
+}
+
+/// A word or a line of NC text before which the machine retracts and the spindle stops.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StandstillWord {
+    /// The word, or the whole line.
+    pub text: String,
+    /// Name of its effect: work is clamped, a door moves; `None` where nobody has confirmed that it is harmless.
+    pub effect: Option<&'static str>,
 }
 
 options! {

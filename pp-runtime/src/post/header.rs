@@ -339,8 +339,11 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
         list.push(format!("words ignored as inert: {}", config.cl.inert.join(" ")));
     }
     if !config.cl.own_statements.is_empty() {
-        let meanings =
-            config.cl.own_statements.iter().map(|own| format!("{} is {}", own.statement(), own.blocks().join(" ")));
+        let meanings = config
+            .cl
+            .own_statements
+            .iter()
+            .map(|own| format!("{} is {}{}", own.statement(), own.blocks().join(" "), own.place().phrase()));
         list.push(format!("statements of the shop: {}", meanings.collect::<Vec<_>>().join(", ")));
     }
     if !config.cl.probes.is_empty() {

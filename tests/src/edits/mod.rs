@@ -18,7 +18,7 @@ pub mod verdict;
 #[cfg(test)]
 mod tests;
 
-pub use operations::{Edit, edit};
+pub use operations::{Edit, edit, permutation};
 pub use places::Subject;
 pub use posted::{Case, Posted};
 pub use verdict::{Allowed, Verdict, restarts_differ, verdict};

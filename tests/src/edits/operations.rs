@@ -65,10 +65,26 @@ const OPERATIONS: &[Operation] = &[
     join_lines,
 ];
 
+/// Operations that leave every line as it is, and change their order: one line moves, two change places, one comes twice.
+const PERMUTATIONS: &[Operation] = &[move_line, move_line, swap_lines, swap_lines, duplicate_line];
+
+/// Largest number of lines by which a line moves.
+const FARTHEST: usize = 20;
+
 /// An edit at a line, by a random operation; `None` if the operation does not suit the line.
 #[must_use]
 pub fn edit(subject: &Subject, index: usize, random: &mut Random) -> Option<Edit> {
-    let operation = OPERATIONS[random.below(OPERATIONS.len())];
+    by_one_of(OPERATIONS, subject, index, random)
+}
+
+/// An edit at a line that changes the order of lines alone.
+#[must_use]
+pub fn permutation(subject: &Subject, index: usize, random: &mut Random) -> Option<Edit> {
+    by_one_of(PERMUTATIONS, subject, index, random)
+}
+
+fn by_one_of(operations: &[Operation], subject: &Subject, index: usize, random: &mut Random) -> Option<Edit> {
+    let operation = operations[random.below(operations.len())];
     let change = operation(subject, index, random)?;
     made(subject, index, &change.kind, change.from, change.to, &change.lines)
 }
@@ -237,14 +253,18 @@ fn delete_word(subject: &Subject, index: usize, random: &mut Random) -> Option<C
     Some(Change { kind, from: index, to: index + 1, lines: vec![joined(line, &words)] })
 }
 
-fn swap_lines(subject: &Subject, index: usize, _: &mut Random) -> Option<Change> {
-    let [one, other] = subject.lines.get(index..index + 2)? else { return None };
-    let kind = format!("swap {} and {}", heads(one), heads(other));
-    Some(Change { kind, from: index, to: index + 2, lines: vec![other.clone(), one.clone()] })
+/// A line and another below it change places; half of them are neighbours.
+fn swap_lines(subject: &Subject, index: usize, random: &mut Random) -> Option<Change> {
+    let far = if random.chance(0.5) { 1 } else { 1 + random.below(FARTHEST) };
+    let mut lines = subject.lines.get(index..=index + far)?.to_vec();
+    let kind = format!("swap {} and {}", heads(&lines[0]), heads(&lines[far]));
+    lines.swap(0, far);
+    Some(Change { kind, from: index, to: index + far + 1, lines })
 }
 
 fn move_line(subject: &Subject, index: usize, random: &mut Random) -> Option<Change> {
-    let far = 2 + random.below(6);
+    let farthest = if random.chance(0.5) { 6 } else { FARTHEST };
+    let far = 1 + random.below(farthest);
     let down = random.chance(0.5);
     let (from, to) = if down { (index, index + far + 1) } else { (index.checked_sub(far)?, index + 1) };
     let mut lines = subject.lines.get(from..to)?.to_vec();

@@ -442,8 +442,11 @@ pub(super) fn place_of_line(places: &[OwnPlace], phase: &Phase, motions: u64, en
         | OwnPlace::MeasureTool
         | OwnPlace::CheckTool
         | OwnPlace::ToolStart { .. }
-        | OwnPlace::ToolEnd { .. } => phase.is_at_part().then_some("at the part"),
-        OwnPlace::Insert => Some("that the CL data does not have here"),
+        | OwnPlace::ToolEnd { .. } => match phase {
+            Phase::Retracted(retracted) if retracted.step > 0 => Some("after the approach has begun"),
+            _ => phase.is_at_part().then_some("at the part"),
+        },
+        OwnPlace::Insert | OwnPlace::Unconfirmed => Some("that the CL data does not have here"),
         OwnPlace::Retract { .. } | OwnPlace::Clamp { .. } | OwnPlace::Coolant | OwnPlace::TipControl { .. } => None,
     };
     let mut faults = places.iter().map(|place| {

@@ -51,6 +51,7 @@ impl Comparison<'_> {
             self.found(current, "the program ends at this block of the CL data: nothing after it is executed");
         }
         (0..index).for_each(|_| self.progress.pass());
+        self.ends_operation(current);
         self.compare_tool(current);
         self.progress.pass();
         if current.block.own.as_ref().is_some_and(|own| own.stands) {
@@ -367,9 +368,7 @@ impl Comparison<'_> {
             self.found_any(current, fault);
             self.missing_dwells(current, false);
         }
-        if self.start.restarted {
-            self.is_parked(current);
-        }
+        self.is_parked(current);
         let mut retracted = self.retracted(phase, current);
         let rewinds = retracted.rewind.is_some();
         // The cuts after a rewind belong to those before it.
@@ -404,11 +403,19 @@ impl Comparison<'_> {
         let is_home =
             |item: &ExpectedItem| matches!(item.action, ExpectedAction::Home) && self.is_with_tool(item, block);
         if self.progress.next().is_some_and(is_home) {
+            self.ends_operation(current);
             self.progress.take();
             retracted.parks = true;
             (self.home, self.parked) = (true, 0);
         }
         Ok(Phase::Retracted(Box::new(retracted)))
+    }
+
+    /// A record ends the operation: the lines of the shop for that have come.
+    fn ends_operation(&mut self, current: &Current<'_>) {
+        for missing in self.shop_lines.end_operation() {
+            self.found(current, &missing);
+        }
     }
 
     /// GOHOME is over: every axis with a parking position must be there.
@@ -871,6 +878,7 @@ impl Comparison<'_> {
     pub(super) fn tool_change(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Phase> {
         let tool = current.block.state.tool;
         self.is_parked(current);
+        self.ends_operation(current);
         if self.progress.next().is_none_or(|item| item.required.tool != tool) {
             self.find_again(phase, |item| item.required.tool == tool, current)?;
         }
@@ -1048,6 +1056,7 @@ impl Comparison<'_> {
             _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
         }
         self.functions.wait_with(None);
+        self.ends_operation(current);
         self.cuts_have_ended(current);
         self.is_parked(current);
         if phase.is_at_part() {
@@ -1106,6 +1115,7 @@ impl Comparison<'_> {
             _ => self.found(current, "this block is always executed (no `/`), without OPSKIP/OFF in the CL data here"),
         }
         self.cuts_have_ended(current);
+        self.ends_operation(current);
         for missing in self.shop_lines.skip() {
             self.found(current, &missing);
         }
@@ -1178,7 +1188,8 @@ fn needs_retract(own: &OwnLine) -> bool {
         | OwnPlace::Clamp { .. }
         | OwnPlace::Coolant
         | OwnPlace::TipControl { .. }
-        | OwnPlace::Insert => false,
+        | OwnPlace::Insert
+        | OwnPlace::Unconfirmed => false,
     };
     is_lost && own.places.iter().any(has_retract)
 }

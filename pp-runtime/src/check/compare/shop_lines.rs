@@ -27,6 +27,8 @@ pub(super) struct ShopLines {
     has_cut: bool,
     /// The lines at the end of its work have come before blocks that may be skipped begin or end.
     has_ended: bool,
+    /// An operation has begun and not ended.
+    in_operation: bool,
 }
 
 impl ShopLines {
@@ -37,13 +39,26 @@ impl ShopLines {
             tools.map(|(number, _)| *number).collect()
         };
         let (measured, checked) = (tools(|tool| tool.measured), tools(|tool| tool.checked));
-        Self { lines, last_tool: None, measured, checked, needs_retract: false, has_cut: false, has_ended: false }
+        Self {
+            lines,
+            last_tool: None,
+            measured,
+            checked,
+            needs_retract: false,
+            has_cut: false,
+            has_ended: false,
+            in_operation: false,
+        }
     }
 
     /// Takes a line of the program that comes with this tool in the spindle. Returns what is wrong with it.
     pub(super) fn note(&mut self, text: &[u8], tool: Option<u32>) -> Option<String> {
-        let of_others = self.lines.note(text, tool);
-        of_others.then(|| format!("a line of another tool in `[tools]`, but T{} is in the spindle", tool.unwrap_or(0)))
+        if self.lines.note(text, tool) {
+            return Some(format!("a line of another tool in `[tools]`, but T{} is in the spindle", tool.unwrap_or(0)));
+        }
+        self.lines
+            .comes_too_often(text)
+            .then(|| "this line of the configuration comes once more than it has to".to_owned())
     }
 
     /// Whether a line of the program is one of the configuration.
@@ -93,6 +108,7 @@ impl ShopLines {
         self.has_cut = true;
         let has_ended = std::mem::take(&mut self.has_ended);
         if starts {
+            let open = std::mem::replace(&mut self.in_operation, true);
             let before = self.last_tool.replace((tool, register)).map(|(tool, _)| tool);
             let changes = tool.is_some() && before != Some(tool);
             let measured = changes && tool.is_some_and(|tool| self.measured.contains(&tool));
@@ -100,7 +116,7 @@ impl ShopLines {
             let ends = |of| changes && before == Some(Some(of));
             missing = self.missing("before this operation", |place| match place {
                 OwnPlace::Start => before.is_none(),
-                OwnPlace::OperationEnd => before.is_some(),
+                OwnPlace::OperationEnd => open,
                 OwnPlace::ToolChange => changes,
                 OwnPlace::MeasureTool => measured,
                 OwnPlace::CheckTool => checked,
@@ -112,6 +128,14 @@ impl ShopLines {
         }
         self.lines.forget();
         missing
+    }
+
+    /// A record that ends the operation is carried out: what is missing before it.
+    pub(super) fn end_operation(&mut self) -> Vec<String> {
+        match std::mem::take(&mut self.in_operation) {
+            true => self.missing("at the end of its operation", |place| place == OwnPlace::OperationEnd),
+            false => Vec::new(),
+        }
     }
 
     /// Blocks that may be skipped begin or end: what the tool that has cut lacks before them. Whichever tool is in the spindle
@@ -132,12 +156,12 @@ impl ShopLines {
 
     /// The end code: what is missing before it.
     pub(super) fn end(&mut self) -> Vec<String> {
-        let began = self.last_tool.is_some();
+        let open = std::mem::take(&mut self.in_operation);
         let tool = self.last_tool.map(|(tool, _)| tool);
         let checked = self.is_checked(tool);
         self.missing("before the end code", |place| match place {
             OwnPlace::End => true,
-            OwnPlace::OperationEnd => began,
+            OwnPlace::OperationEnd => open,
             OwnPlace::CheckTool => checked,
             OwnPlace::ToolEnd { tool: of } => tool == Some(Some(of)),
             _ => false,

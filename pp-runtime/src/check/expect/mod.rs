@@ -181,6 +181,9 @@ impl Source<'_> {
             let placed = placement.of(event);
             state.event(at, placed.as_ref().unwrap_or(event));
         })?;
+        if *ended {
+            state.come_to_approach();
+        }
         Ok(())
     }
 

@@ -13,9 +13,9 @@ use crate::check::tolerances::{IN_CUTTER_PLANE, SAME_POSE};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
 use crate::program::{
-    Arc, Clearance, Compensation, Coolant, Coolants, CutterSide, Drilling, Dwell, Event, Feed, Hole, Interruption,
-    Location, MachineFunction, Move, NewStart, Pressure, ReferenceGeometry, Rotation, Spindle, Spline, TextKind,
-    ToolCall, ToolMotion,
+    Arc, BlockPlace, Clearance, Compensation, Coolant, Coolants, CutterSide, Drilling, Dwell, Event, Feed, Hole,
+    Interruption, Location, MachineFunction, Move, NewStart, Pressure, ReferenceGeometry, Rotation, Spindle, Spline,
+    TextKind, ToolCall, ToolMotion,
 };
 
 /// Modal state of the CL data.
@@ -63,6 +63,10 @@ pub(super) struct ClState<'a> {
     before_skip: (bool, Option<u32>),
     /// The tool before the blocks that may be skipped, until a tool is called after them.
     tool_if_skipped: Option<u32>,
+    /// State before the call of a tool that nothing has been carried out with.
+    before_call: Option<Rc<Required>>,
+    /// Blocks of the shop that come before the approach to the next motion.
+    at_approach: Vec<(Location, ExpectedAction)>,
 }
 
 /// Requests of SPINDL.
@@ -181,6 +185,8 @@ impl<'a> ClState<'a> {
             skippable: false,
             before_skip: (false, None),
             tool_if_skipped: None,
+            before_call: None,
+            at_approach: Vec::new(),
         }
     }
 
@@ -240,16 +246,43 @@ impl<'a> ClState<'a> {
             Interruption::Stop => self.interrupt(at, ExpectedAction::Stop { optional: false }),
             Interruption::OptionalStop => self.interrupt(at, ExpectedAction::Stop { optional: true }),
             Interruption::BlockSkip { on } => self.block_skip(at, on),
-            Interruption::Insert(text) => self.interrupt(at, ExpectedAction::Raw(text.to_vec())),
+            Interruption::Insert(text, place) => self.raw(at, text.to_vec(), place),
             Interruption::Probe(blocks) => {
                 for (index, block) in blocks.iter().enumerate() {
                     let text = block.as_bytes().to_vec();
                     self.interrupt(at, ExpectedAction::Probe { text, first: index == 0 });
                 }
             }
-            Interruption::Code { letter, number } => {
-                self.interrupt(at, ExpectedAction::Raw(format!("{}{number}", char::from(letter)).into_bytes()));
+            Interruption::Code { letter, number, place } => {
+                self.raw(at, format!("{}{number}", char::from(letter)).into_bytes(), place);
             }
+        }
+    }
+
+    /// A block of the shop: with the tool before a call, with that of the call, or last before the next motion.
+    fn raw(&mut self, at: Location, text: Vec<u8>, place: BlockPlace) {
+        let action = ExpectedAction::Raw(text);
+        match (place, self.before_call.clone()) {
+            (BlockPlace::AtApproach, _) => {
+                self.begin_anew();
+                self.at_approach.push((at, action));
+            }
+            (BlockPlace::BeforeChange, Some(before)) => {
+                // It belongs to the operation before.
+                let called = std::mem::take(&mut self.operation.called);
+                let after = std::mem::replace(&mut self.required, Rc::clone(&before));
+                self.interrupt(at, action);
+                (self.required, self.operation.called, self.before_call) = (after, called, Some(before));
+            }
+            _ => self.interrupt(at, action),
+        }
+    }
+
+    /// Blocks of the shop that wait for an approach come: before its motion, or at the end of the CL data.
+    pub(super) fn come_to_approach(&mut self) {
+        for (at, action) in std::mem::take(&mut self.at_approach) {
+            self.spindle.held = true;
+            self.push(at, action);
         }
     }
 
@@ -341,6 +374,7 @@ impl<'a> ClState<'a> {
     /// A text that the control displays, where the configuration asks for it; before the first motion of an operation it
     /// belongs to that.
     fn message(&mut self, at: Location, text: &[u8], may_be_cut: bool) {
+        self.before_call = None;
         let operation = &self.operation;
         let (number, reached) = match operation.starts {
             true => (operation.number + 1, operation.reached || operation.named),
@@ -447,6 +481,7 @@ impl<'a> ClState<'a> {
         }
         self.begin_elsewhere();
         self.process_due = true;
+        self.before_call.get_or_insert_with(|| Rc::clone(&self.required));
         let given = self.policy.set_up.tools.get(&call.number);
         if self.required.tool != Some(call.number) {
             self.require().called = at;
@@ -528,6 +563,9 @@ impl<'a> ClState<'a> {
         self.operation.worked = true;
         if std::mem::take(&mut self.process_due) {
             self.take_process();
+        }
+        if !self.at_approach.is_empty() {
+            self.come_to_approach();
         }
         let to = tool_pose(&motion.pose);
         let feed = motion.feed.map(|feed| if self.in_thread() { feed } else { self.capped(feed) });
@@ -672,6 +710,7 @@ impl<'a> ClState<'a> {
             Dwell::Seconds(seconds) => seconds,
             Dwell::Revolutions(count) => self.spindle_state().map_or(f64::NAN, |(speed, _)| count / speed * 60.0),
         };
+        self.before_call = None;
         if seconds > 0.0 {
             let of_tool = self.operation.starts && self.operation.called;
             let SpindleRecord { speed_rev_per_min, rotation, off } = self.spindle.in_start;
@@ -701,6 +740,9 @@ impl<'a> ClState<'a> {
         // Records after the call of a tool belong to the operation that comes.
         let Operation { number, starts, called, reached, named, .. } = self.operation;
         let (opens, begins) = (u64::from(starts && called), starts && called && named);
+        if !matches!(action, ExpectedAction::BlockSkip { .. }) {
+            self.before_call = None;
+        }
         if self.is_selected(number + opens, reached || begins) {
             let is_motion = matches!(action, ExpectedAction::Motion(_));
             self.items.push(ExpectedItem {

@@ -166,6 +166,8 @@ pub enum OwnPlace {
     },
     /// Text of INSERT, AUXFUN, PREFUN, or of a statement of the shop.
     Insert,
+    /// The same, and nobody has confirmed that a code in it which is declared "none" is harmless.
+    Unconfirmed,
 }
 
 impl OwnPlace {
@@ -183,7 +185,12 @@ impl OwnPlace {
             Self::CheckTool => "cycles.check_tool",
             Self::ToolStart { .. } => "tools.N.start",
             Self::ToolEnd { .. } => "tools.N.end",
-            Self::Retract { .. } | Self::Clamp { .. } | Self::Coolant | Self::TipControl { .. } | Self::Insert => {
+            Self::Retract { .. }
+            | Self::Clamp { .. }
+            | Self::Coolant
+            | Self::TipControl { .. }
+            | Self::Insert
+            | Self::Unconfirmed => {
                 return None;
             }
         })

@@ -258,7 +258,8 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     let own = line.vocabulary().own.iter().filter(|own| matches(&own.text, text));
     let mut places: Vec<OwnPlace> = own.map(|own| own.place).collect();
     let effect = declared.map(|declared| declared.effect);
-    let stands = declared.is_some_and(|declared| declared.bits & effect::STANDSTILL != 0);
+    let unconfirmed = effect == Some(Effect::None) && places.contains(&OwnPlace::Unconfirmed);
+    let stands = unconfirmed || declared.is_some_and(|declared| declared.bits & effect::STANDSTILL != 0);
     let values = values(text, line);
     if let Some(Declared { bits, whole, .. }) = declared {
         let routine = |place: &OwnPlace| matches!(place, OwnPlace::MeasureTool | OwnPlace::CheckTool);
@@ -429,6 +430,18 @@ impl PlacedLines {
         let placed = vocabulary.own.iter().filter(is_written);
         let lines = placed.map(|own| PlacedLine { text: own.text.clone(), place: own.place, times: 0 }).collect();
         Self { lines, facts, bare: Bare::default() }
+    }
+
+    /// Whether a line that the program has taken has come more often than the configuration has it. Lines of safety, of tools and of
+    /// their changes may come again.
+    pub(crate) fn comes_too_often(&mut self, line: &[u8]) -> bool {
+        self.bare.forget();
+        let text = self.bare.text(line, &self.facts);
+        let once = |place: OwnPlace| {
+            matches!(place, OwnPlace::Start | OwnPlace::End | OwnPlace::OperationStart | OwnPlace::OperationEnd)
+        };
+        let of_text = || self.lines.iter().filter(|own| matches(&own.text, text));
+        of_text().all(|own| once(own.place) && own.times > of_text().count()) && of_text().count() > 0
     }
 
     /// Takes a line of the program that comes with this tool in the spindle. Returns whether it is one of other tools alone.

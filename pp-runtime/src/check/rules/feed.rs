@@ -434,8 +434,11 @@ impl FeedLaw {
             let held = Extent { least_min: self.least_min(&stroke, 1.0), ..extent };
             self.bounds(programmed, &stroke, &held).0
         };
+        // An axis may move as far as the longest path that rounded ends show, in the time of the shortest.
+        let (shortest, longest) = self.lengths(&still, &extent);
+        let share = if longest > 0.0 { shortest / longest } else { 0.0 };
         let least = match changes() {
-            None => SLOWED_BY_ROUNDING * low.min(slowest * self.per_mm),
+            None => SLOWED_BY_ROUNDING * low.min(slowest * self.per_mm * share),
             Some(changes) if changes.is_empty() => 0.0,
             Some(changes) => SLOWED_BY_ROUNDING * changes.iter().map(held_back).fold(low, f64::min),
         };
@@ -540,6 +543,18 @@ mod tests {
         assert_eq!(feeds.map(|feed| passes(&law, &seen, FeedMode::PerMinute, feed)), [true, true, false, false]);
         // Nothing holds back a longer one.
         assert!(!passes(&law, &stroke(0.2, 0.0, 598.39), FeedMode::PerMinute, 591.13));
+    }
+
+    /// Where the tool axis is held an axis may move by two units in a step that looks as long as one.
+    #[test]
+    fn a_step_of_a_unit_may_be_slower_than_its_tip_asks_for() {
+        let law = FeedLaw { speeds: vec![(0, 700.0)], along_tip: true, ..law(0.0) };
+        let slower = |length: f64, feed: f64| {
+            let state = State { feed: Some(feed), feed_mode: Some(FeedMode::PerMinute), ..State::default() };
+            law.wrong_within(&stroke(length, 0.0, 600.0), &state, || None).is_none()
+        };
+        assert!(slower(0.01, 600.0) && slower(0.01, 400.0) && slower(1.0, 600.0));
+        assert!(!slower(1.0, 400.0) && !slower(0.01, 650.0));
     }
 
     #[test]

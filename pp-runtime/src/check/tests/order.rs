@@ -55,7 +55,7 @@ const RECORDS_AFTER_A_CALL: &str = "UNITS/MM\nTOOL PATH/FIRST,TOOL,T1\nLOADTL/1\
                                     GOTO/0,0,50\nGOTO/0,0,0\nGOTO/20,0,2\nTOOL PATH/SECOND,TOOL,T2\nLOADTL/2\nAUXFUN/77\n\
                                     CHUCK/OPEN\nSTOP\nSPINDL/RPM,1000,CLW\nDELAY/2\nRAPID\nGOTO/0,9,50\nGOTO/0,9,2\nGOTO/20,9,2\n";
 
-const CHUCK: &str = "cl.auxfun = [77]\ncl.words = { \"CHUCK/OPEN\" = \"M68\" }\n\
+const CHUCK: &str = "cl.auxfun = [77]\ncl.words = { \"CHUCK/OPEN\" = { blocks = \"M68\", at = \"after_change\" } }\n\
                      control.effects = { M77 = \"none\", M68 = \"chuck\" }\nretract.distance = 20\n";
 
 /// The blocks of a program with these codes, one after the other.
@@ -80,6 +80,105 @@ fn records_act_in_the_order_of_the_cl_data() {
         }
         assert_eq!(codes[..wanted.len()], wanted, "{control}\n{program}");
     }
+}
+
+/// Codes of the second operation, in order, where the chuck opens at a place, and M77 comes at another.
+fn codes_at(control: &str, chuck: &str, auxfun: &str) -> (Vec<String>, String, String) {
+    let data = RECORDS_AFTER_A_CALL.replace("AUXFUN/77\nCHUCK/OPEN\n", "CHUCK/OPEN\nAUXFUN/77\n");
+    let set_up = CHUCK
+        .replace("\"after_change\"", &format!("\"{chuck}\""))
+        .replace(" } }\n", &format!(" }}, \"AUXFUN/77\" = {{ at = \"{auxfun}\" }} }}\n"))
+        .replace("cl.auxfun = [77]\n", "");
+    let program = posted_right::<Mill>(control, Mode::Axes, &set_up, &data);
+    let plain = program.replace("M0", "M").replace("CYCL DEF 9.0", "G4").replace("G04", "G4");
+    let (_, second) = plain.split_once("SECOND").expect("the second operation");
+    let change = if control == "heidenhain" { "TOOL" } else { "M6" };
+    let codes = with_codes(second, &["M77", "M68", "M0", "M", "G4", change]);
+    (codes.iter().map(|code| code.replace("TOOL", "M6").replace("M0", "M")).collect(), set_up, data)
+}
+
+#[test]
+fn a_block_of_the_shop_comes_at_its_stated_place() {
+    for control in ["fanuc", "haas", "siemens", "linuxcnc", "heidenhain"] {
+        let wanted = [
+            ("before_change", "before_change", &["M68", "M77", "M6", "M", "G4"][..]),
+            ("before_change", "after_change", &["M68", "M6", "M77", "M", "G4"]),
+            ("after_change", "at_approach", &["M6", "M68", "M", "G4", "M77"]),
+            ("at_approach", "at_approach", &["M6", "M", "G4", "M68", "M77"]),
+            // The change has come when the other block does.
+            ("after_change", "before_change", &["M6", "M68", "M77", "M", "G4"]),
+        ];
+        for (chuck, auxfun, wanted) in wanted {
+            let (mut codes, ..) = codes_at(control, chuck, auxfun);
+            // A TNC has the speed in a tool call of its own.
+            codes.dedup();
+            let mut changes = 0;
+            codes.retain(|code| code != "M6" || std::mem::replace(&mut changes, 1) == 0);
+            assert_eq!(codes[..wanted.len()], *wanted, "{control} {chuck} {auxfun}");
+        }
+    }
+}
+
+#[test]
+fn a_block_of_the_shop_that_has_left_its_stated_place_is_found() {
+    for (chuck, auxfun) in
+        [("before_change", "after_change"), ("after_change", "at_approach"), ("at_approach", "at_approach")]
+    {
+        let (_, set_up, data) = codes_at("fanuc", chuck, auxfun);
+        let program = posted_right::<Mill>("fanuc", Mode::Axes, &set_up, &data);
+        let change = program.find("T2 M6\n").expect("the tool change");
+        let stop = program.find("\nM0\n").expect("the stop") + 1;
+        for record in ["M77\n", "M68\n"] {
+            let at = program.find(record).expect("the record");
+            let without = format!("{}{}", &program[..at], &program[at + record.len()..]);
+            assert_told::<Mill>("fanuc", Mode::Axes, &set_up, &data, &without);
+            for place in [change, stop, stop + 3] {
+                let moved = format!(
+                    "{}{record}{}",
+                    &without[..place - if at < place { record.len() } else { 0 }],
+                    &without[place - if at < place { record.len() } else { 0 }..]
+                );
+                let place_is_same = moved == program;
+                if !place_is_same {
+                    assert_told::<Mill>("fanuc", Mode::Axes, &set_up, &data, &moved);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_place_of_a_chuck_after_a_call_must_be_stated() {
+    let set_up = CHUCK.replace("{ blocks = \"M68\", at = \"after_change\" }", "\"M68\"");
+    let refused =
+        posted::<Mill>("fanuc", Mode::Axes, &set_up, RECORDS_AFTER_A_CALL.replace("AUXFUN/77\n", "").as_str());
+    let fault = refused.expect_err("it is refused").remove(0);
+    let help = fault.help.unwrap_or_default();
+    assert!(fault.text.contains("between the call of T2"), "{}", fault.text);
+    assert!(["before_change", "after_change", "at_approach"].iter().all(|place| help.contains(place)), "{help}");
+    // With no call before it, it comes where it stands.
+    let before =
+        RECORDS_AFTER_A_CALL.replace("AUXFUN/77\nCHUCK/OPEN\n", "").replace("LOADTL/2", "CHUCK/OPEN\nLOADTL/2");
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, &set_up, &before);
+    assert!(program.find("M68").expect("it opens") < program.find("T2 M6").expect("a change"), "{program}");
+}
+
+/// A code that is declared "none" and not confirmed comes with the spindle off, at the machine retract.
+#[test]
+fn a_code_without_effect_is_confirmed_to_be_harmless() {
+    let unconfirmed = CHUCK.replace("M68 = \"chuck\"", "M68 = \"none\"");
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, &unconfirmed, RECORDS_AFTER_A_CALL);
+    assert!(program.contains("M5\nM68\n"), "{program}");
+    assert_told::<Mill>(
+        "fanuc",
+        Mode::Axes,
+        &unconfirmed,
+        RECORDS_AFTER_A_CALL,
+        &program.replace("M5\nM68", "S500 M3\nM68"),
+    );
+    let confirmed = unconfirmed.replace("\"after_change\" }", "\"after_change\", harmless = true }");
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, &confirmed, RECORDS_AFTER_A_CALL);
+    assert!(program.contains("M77\nM68\n"), "{program}");
 }
 
 #[test]

@@ -47,3 +47,19 @@ fn an_axis_that_has_left_its_parking_position_is_not_there() {
     let moved = format!("{}G53 G0 X0 Y-50\n{}", &program[..last], &program[last + "G53 G0 Y200\n".len()..]);
     assert_told::<Mill>("linuxcnc", Mode::Axes, &set_up, data, &moved);
 }
+
+/// Home and parking position of an axis differ: the axis is at home before the rotary axes park, and at its parking position at
+/// the end.
+#[test]
+fn an_axis_at_home_is_not_parked() {
+    let set_up =
+        "retract = { distance = 37.0, home_on_indexing = true, xy = { Y = -50.0 } }\npark = { Y = 200.0, C = 0.0 }
+tools = { 1 = { length = 93.0 } }\n";
+    let data = "UNITS/MM\nLOADTL/1\nFEDRAT/MMPM,300\nRAPID\nGOTO/0,8,50,0.5,0.1,0.8602325\nGOTO/10,5,0\nGOTO/20,0,0\n";
+    for (control, park) in [("heidenhain", "L Y+200 R0 FMAX M91\n"), ("fanuc", "G53 G0 Y200.\n")] {
+        let program = posted_right::<HeadTable>(control, Mode::Axes, set_up, data);
+        let at = program.find(park).unwrap_or_else(|| panic!("{program}"));
+        let without = format!("{}{}", &program[..at], &program[at + park.len()..]);
+        assert_told::<HeadTable>(control, Mode::Axes, set_up, data, &without);
+    }
+}

@@ -3,8 +3,9 @@
 use std::collections::VecDeque;
 
 use super::options::ReadingOptions;
+use crate::cl::record::OwnStatement;
 use crate::cl::text::{ClFault, Span};
-use crate::program::{Event, Interruption, Location, NewStart, Spline, TextKind, ToolMotion};
+use crate::program::{BlockPlace, Event, Interruption, Location, NewStart, Spline, TextKind, ToolMotion};
 
 /// Event that a text becomes.
 #[derive(Debug, Clone, Copy)]
@@ -19,8 +20,8 @@ pub(crate) enum TextUse {
 pub(crate) enum QueuedEvent {
     Plain(Event<'static>),
     Text(TextUse, Span),
-    /// Block of a statement of the shop, by its index in the options.
-    Own(usize),
+    /// Block of a statement of the shop, by its index in the options and its own.
+    Own(usize, usize),
     Spline,
 }
 
@@ -33,16 +34,18 @@ impl QueuedEvent {
                 let text = &text[at.start..at.end];
                 match used {
                     TextUse::Operation => Event::NewStart(NewStart::Operation(text)),
-                    TextUse::Insert => Event::Interruption(Interruption::Insert(text)),
+                    TextUse::Insert => Event::Interruption(Interruption::Insert(text, BlockPlace::InOrder)),
                     TextUse::Text(kind) => Event::Text(kind, text),
                 }
             }
-            Self::Own(index) => Event::Interruption(match options.given_meanings().own_at(index) {
-                Some(own) if own.probes() => Interruption::Probe(own.blocks()),
-                own => {
-                    Interruption::Insert(own.and_then(|own| own.blocks().first()).map_or(b"", |block| block.as_bytes()))
-                }
-            }),
+            Self::Own(index, block) => {
+                let own = options.given_meanings().own_at(index);
+                let text = own.and_then(|own| own.blocks().get(block)).map_or(&b""[..], |block| block.as_bytes());
+                Event::Interruption(match own {
+                    Some(own) if own.probes() => Interruption::Probe(own.blocks()),
+                    own => Interruption::Insert(text, own.map(OwnStatement::place).unwrap_or_default()),
+                })
+            }
             Self::Spline => Event::Motion(ToolMotion::Spline(curve)),
         }
     }

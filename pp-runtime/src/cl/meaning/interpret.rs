@@ -22,7 +22,7 @@ use super::units::FileUnits;
 use super::votes::ArcVotes;
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{
-    ArcRecord, CircleRecord, CoordinateRecord, MachineRecord, MotionRecord, Point, ProgramRecord, Record,
+    ArcRecord, CircleRecord, CoordinateRecord, MachineRecord, MotionRecord, OwnStatement, Point, ProgramRecord, Record,
     SubprogramRecord, Text,
 };
 use crate::cl::text::{ClFault, Span, decoded};
@@ -246,7 +246,9 @@ impl RecordInterpreter {
             }
             Record::Own(_, index) => {
                 self.path.forget_position();
-                self.push(here, QueuedEvent::Own(*index));
+                let own = self.options.given_meanings().own_at(*index);
+                let count = own.map_or(0, |own| if own.probes() { 1 } else { own.blocks().len() });
+                (0..count).for_each(|block| self.push(here, QueuedEvent::Own(*index, block)));
                 Ok(())
             }
             Record::Inert => Ok(()),
@@ -469,7 +471,8 @@ impl RecordInterpreter {
             b'M' => ("AUXFUN", "auxfun", &self.options.auxfun),
             _ => ("PREFUN", "prefun", &self.options.prefun),
         };
-        if !allowed.contains(&number) {
+        let stated = self.options.own_statements.iter().find(|own| own.code() == Some((letter, number)));
+        if stated.is_none() && !allowed.contains(&number) {
             return Err(ClFault::new(
                 word,
                 at,
@@ -482,7 +485,8 @@ impl RecordInterpreter {
             ));
         }
         self.path.forget_position();
-        self.emit(here, Event::Interruption(Interruption::Code { letter, number }));
+        let place = stated.map(OwnStatement::place).unwrap_or_default();
+        self.emit(here, Event::Interruption(Interruption::Code { letter, number, place }));
         Ok(())
     }
 }

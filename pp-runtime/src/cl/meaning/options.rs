@@ -14,7 +14,7 @@ use crate::keys::{
     Blocks, Bound, KeyKind, KeyReader, KeyScope, KeyTable, ListOf, Measure, OneLine, OneOf, Printed, TomlValue, Whole,
     YesNo, options,
 };
-use crate::program::Units;
+use crate::program::{BlockPlace, Units};
 use crate::set_up::ClPoint;
 
 /// Sense in which a circle is traversed about its axis.
@@ -108,7 +108,10 @@ options! {
         /// Words of CL data that are passed over, because they move no axis and change no state.
         inert: Vec<String> = Vec::new(), key("cl.inert", ListOf(InertWord));
         /// Statements of the shop, and the block that is written for each. Its effect on the machine is that of its codes; that of
-        /// a code which the control does not have itself is declared in `[control] effects`.
+        /// a code which the control does not have itself is declared in `[control] effects`. `at` says where a block comes that
+        /// stands after the call of a tool: "before_change", "after_change" or "at_approach"; AUXFUN and PREFUN can have it, too:
+        /// `"AUXFUN/10" = { at = "after_change" }`. A block whose codes are declared "none" comes at the machine retract with the
+        /// spindle off, unless `harmless = true` confirms that they move nothing.
         own_statements: Vec<OwnStatement> = Vec::new(), key("cl.words", OwnStatements);
         /// Statements at which a probe measures from where the tool is, and their blocks: macros of the probe. A rapid leads
         /// there; spindle and coolant are off; after the blocks the machine retracts, and everything is stated anew. Their
@@ -217,7 +220,8 @@ fn statements<'v>(
     found
 }
 
-/// Kind of key: statements of the shop with their blocks: `"CHUCK/OPEN" = "M68"`.
+/// Kind of key: statements of the shop with their blocks: `"CHUCK/OPEN" = "M68"`, or with a place:
+/// `"CHUCK/OPEN" = { blocks = "M68", at = "before_change" }`, `"AUXFUN/10" = { at = "at_approach" }`.
 #[derive(Debug, Clone, Copy)]
 struct OwnStatements;
 
@@ -225,7 +229,10 @@ impl KeyKind for OwnStatements {
     type Value = Vec<OwnStatement>;
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
-        Some(statements(r, value, |r, key, value| Some(OwnStatement::new(key, &r.line(value)?))))
+        Some(statements(r, value, |r, key, value| match value.get_ref().as_table() {
+            Some(_) => placed_statement(r, key, value),
+            None => Some(OwnStatement::new(key, &r.line(value)?)),
+        }))
     }
 
     fn print(&self, _value: &Self::Value) -> String {
@@ -233,12 +240,40 @@ impl KeyKind for OwnStatements {
     }
 
     fn schema(&self, scope: &KeyScope) -> Json {
-        json!({ "type": "object", "additionalProperties": OneLine.schema(scope) })
+        let lines = json!({ "anyOf": [OneLine.schema(scope), ListOf(OneLine).schema(scope)] });
+        let places: Vec<&str> = BlockPlace::NAMES.iter().map(|(name, _)| *name).collect();
+        let placed = json!({
+            "type": "object",
+            "additionalProperties": false,
+            "properties": { "blocks": lines, "at": { "enum": places }, "harmless": { "type": "boolean" } },
+        });
+        json!({ "type": "object", "additionalProperties": { "anyOf": [OneLine.schema(scope), placed] } })
     }
 
     fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
-        Some(Printed::Example("{ \"CHUCK/OPEN\" = \"M68\" }".to_owned()))
+        let example = "{ \"CHUCK/OPEN\" = { blocks = \"M68\", at = \"before_change\" } }";
+        Some(Printed::Example(example.to_owned()))
     }
+}
+
+/// A statement with `blocks`, `at` and `harmless`.
+fn placed_statement(r: &mut KeyReader<'_>, key: &str, value: TomlValue<'_>) -> Option<Result<OwnStatement, String>> {
+    let mut table = KeyTable::of(r, format!("cl.words.{key}"), Some(value));
+    let blocks = match table.get("blocks", r) {
+        Some(lines) if lines.get_ref().is_array() => Blocks(OneLine).read(r, lines)?,
+        Some(line) => vec![r.line(line)?],
+        None => Vec::new(),
+    };
+    let place = match table.get("at", r) {
+        Some(place) => r.choice(place, &BlockPlace::NAMES)?,
+        None => BlockPlace::InOrder,
+    };
+    let harmless = match table.get("harmless", r) {
+        Some(harmless) => r.boolean(harmless)?,
+        None => false,
+    };
+    table.close(r);
+    Some(OwnStatement::placed(key, &blocks, place, harmless))
 }
 
 /// Kind of key: statements at which a probe measures, with their blocks: `"PROBE/BORE,20" = ["G65 P9814 D20."]`.

@@ -2,7 +2,7 @@
 
 use super::parse::{has_numbers_of_a_frame, major_word};
 use super::words::{Handling, is_word, look_up};
-use crate::program::is_nc_text;
+use crate::program::{BlockPlace, is_nc_text};
 
 /// Word of a cycle at which a probe measures.
 const PROBE_CYCLE: &str = "CYCLE/PROBE";
@@ -14,6 +14,11 @@ pub struct OwnStatement {
     statement: String,
     blocks: Vec<String>,
     probes: bool,
+    place: BlockPlace,
+    /// Its codes move nothing and change no state, though they are not the control's own.
+    harmless: bool,
+    /// Letter and number of the code, where it is an AUXFUN or a PREFUN.
+    code: Option<(u8, u32)>,
 }
 
 impl OwnStatement {
@@ -24,6 +29,26 @@ impl OwnStatement {
     /// empty or not of printable ASCII characters.
     pub fn new(statement: &str, block: &str) -> Result<Self, String> {
         Self::of(statement, &[block.to_owned()], false)
+    }
+
+    /// A statement and its blocks, one or more, or none for AUXFUN and PREFUN, which have their code: `AUXFUN/10`. `place`: where
+    /// they come after the call of a tool.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    pub fn placed(statement: &str, blocks: &[String], place: BlockPlace, harmless: bool) -> Result<Self, String> {
+        let own = match code_of(statement) {
+            Some(_) if !blocks.is_empty() => {
+                return Err(format!("`{statement}` has its code: no block takes its place, and `at` alone is read"));
+            }
+            Some(code) => {
+                let statement = statement.to_ascii_uppercase().replace(' ', "");
+                let block = format!("{}{}", char::from(code.0), code.1);
+                Self { statement, blocks: vec![block], probes: false, place, harmless, code: Some(code) }
+            }
+            None => Self::of(statement, blocks, false)?,
+        };
+        Ok(Self { place, harmless, ..own })
     }
 
     /// A statement at which a probe measures from where the tool is, and the blocks for it: `PROBE/BORE,20`. The word may be
@@ -60,13 +85,16 @@ impl OwnStatement {
         }
         let is_block =
             |block: &String| block.split('\n').all(|line| !line.trim().is_empty() && is_nc_text(line.as_bytes()));
-        if blocks.is_empty() || !blocks.iter().all(is_block) {
+        if blocks.is_empty() {
+            return Err(format!("`{statement}` has no block: give it in `blocks`"));
+        }
+        if !blocks.iter().all(is_block) {
             return Err(
                 "a block has ASCII letters, digits and signs; others are read differently by controls".to_owned()
             );
         }
         let blocks = blocks.iter().map(|block| block.trim().to_owned()).collect();
-        Ok(Self { statement: capitals, blocks, probes })
+        Ok(Self { statement: capitals, blocks, probes, place: BlockPlace::InOrder, harmless: false, code: None })
     }
 
     /// The statement in capitals, without blanks.
@@ -79,6 +107,24 @@ impl OwnStatement {
     #[must_use]
     pub fn blocks(&self) -> &[String] {
         &self.blocks
+    }
+
+    /// Where they come after the call of a tool.
+    #[must_use]
+    pub fn place(&self) -> BlockPlace {
+        self.place
+    }
+
+    /// Whether its codes are known to move nothing and to change no state.
+    #[must_use]
+    pub fn is_harmless(&self) -> bool {
+        self.harmless
+    }
+
+    /// Letter and number of the code of AUXFUN or PREFUN.
+    #[must_use]
+    pub fn code(&self) -> Option<(u8, u32)> {
+        self.code
     }
 
     /// Whether a probe measures there.
@@ -97,6 +143,19 @@ impl OwnStatement {
     }
 }
 
+/// Letter and number of the code of `AUXFUN/10`, `PREFUN/10`.
+fn code_of(statement: &str) -> Option<(u8, u32)> {
+    let (word, number) = statement.split_once('/')?;
+    let letter = match word.trim() {
+        word if word.eq_ignore_ascii_case("AUXFUN") => b'M',
+        word if word.eq_ignore_ascii_case("PREFUN") => b'G',
+        _ => return None,
+    };
+    let number = number.trim();
+    let is_number = number.bytes().all(|byte| byte.is_ascii_digit());
+    Some((letter, number.parse().ok().filter(|_| is_number)?))
+}
+
 /// What the user says about words that are not read.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct GivenMeanings<'o> {
@@ -113,7 +172,7 @@ impl<'o> GivenMeanings<'o> {
 
     /// The statements of the shop.
     fn all(self) -> impl Iterator<Item = &'o OwnStatement> {
-        self.own.iter().chain(self.probes)
+        self.own.iter().filter(|own| own.code.is_none()).chain(self.probes)
     }
 
     /// Index of the statement of the shop that a statement is.

@@ -73,7 +73,7 @@ fn read_from(input: impl Read, options: impl Into<ReadingOptions>) -> Outcome {
                 hole.feed,
                 hole.dwell
             ),
-            Event::Interruption(Interruption::Insert(text)) => format!("insert {}", String::from_utf8_lossy(text)),
+            Event::Interruption(Interruption::Insert(text, _)) => format!("insert {}", String::from_utf8_lossy(text)),
             Event::NewStart(start) => format!("{start:?}"),
             Event::Interruption(interruption) => format!("{interruption:?}"),
             Event::Function(function) => format!("{function:?}"),

@@ -89,6 +89,8 @@ pub struct Planner<'a, S> {
     feed_cap: Option<FeedCap>,
     /// An operation has begun, and not ended.
     in_operation: bool,
+    /// Blocks of the shop that come before the approach to the next motion.
+    at_approach: Vec<Vec<u8>>,
 }
 
 /// A motion, and the next one where the approach depends on it.
@@ -134,6 +136,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             usable: UsableModes::default(),
             feed_cap: None,
             in_operation: false,
+            at_approach: Vec::new(),
         }
     }
 
@@ -276,6 +279,7 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     /// The first motion of an operation.
     fn begin(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
+        records::come_to_approach(self)?;
         self.mover.output_mut().set_reason(BlockReason::Record);
         self.modes.reach(index.stretch);
         if self.continues() {

@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 
 use crate::motion::options::{OptionalStops, StretchMode, Transition};
 use crate::program::{
-    Dwell, Event, Interruption, MachineFunction, NewStart, ReferenceGeometry, RotaryDirection, TextKind, ToolCall,
-    is_nc_text,
+    BlockPlace, Dwell, Event, Interruption, MachineFunction, NewStart, ReferenceGeometry, RotaryDirection, TextKind,
+    ToolCall, is_nc_text,
 };
 
 use crate::motion::fault::{Fault, Planned};
@@ -47,16 +47,35 @@ struct Records<'p, 'a, S> {
     between: bool,
 }
 
+/// Writes the blocks of the shop that wait for an approach.
+pub(crate) fn come_to_approach<S: Sink>(planner: &mut Planner<'_, S>) -> Planned {
+    for text in std::mem::take(&mut planner.at_approach) {
+        Records { planner, between: true }.shop_block(&text, BlockPlace::AfterChange)?;
+    }
+    Ok(())
+}
+
+/// Whether a block is this line, or has this word.
+fn stands(block: &str, word: &str) -> bool {
+    block.trim() == word || block.split_whitespace().any(|one| one == word)
+}
+
 impl<S: Sink> Records<'_, '_, S> {
     fn take(&mut self, event: &Event<'_>) -> Planned {
         if self.between {
             self.planner.end_operation()?;
         }
+        match *event {
+            Event::Interruption(Interruption::Insert(text, place)) => return self.shop_block(text, place),
+            Event::Interruption(Interruption::Code { letter, number, place }) => {
+                return self.shop_block(format!("{}{number}", char::from(letter)).as_bytes(), place);
+            }
+            _ => {}
+        }
         if event.writes_block() {
             self.planner.carry_out_call()?;
-            if !matches!(event, Event::Text(..)) && self.planner.mover.restarts() == 0 {
-                // Nothing comes before the complete state and the retract.
-                self.planner.mover.machine_retract()?;
+            if !matches!(event, Event::Text(..)) {
+                self.begin_program()?;
             }
         }
         match *event {
@@ -102,10 +121,64 @@ impl<S: Sink> Records<'_, '_, S> {
             Interruption::Stop => self.stop(false),
             Interruption::OptionalStop => self.stop(true),
             Interruption::BlockSkip { on } => self.planner.skip_blocks(on),
-            Interruption::Insert(text) => self.raw(text),
             Interruption::Probe(blocks) => self.probe(blocks),
-            Interruption::Code { letter, number } => self.raw(format!("{}{number}", char::from(letter)).as_bytes()),
+            Interruption::Insert(text, place) => self.shop_block(text, place),
+            Interruption::Code { letter, number, place } => {
+                self.shop_block(format!("{}{number}", char::from(letter)).as_bytes(), place)
+            }
         }
+    }
+
+    /// Nothing comes before the complete state and the retract.
+    fn begin_program(&mut self) -> Planned {
+        match self.planner.mover.restarts() {
+            0 => Ok(self.planner.mover.machine_retract()?),
+            _ => Ok(()),
+        }
+    }
+
+    /// A block of the shop: at its place, or at once.
+    fn shop_block(&mut self, text: &[u8], place: BlockPlace) -> Planned {
+        match place {
+            BlockPlace::AtApproach => {
+                self.planner.at_approach.push(text.to_vec());
+                return Ok(());
+            }
+            BlockPlace::BeforeChange => {}
+            BlockPlace::InOrder => {
+                self.check_place(text)?;
+                self.planner.carry_out_call()?;
+            }
+            BlockPlace::AfterChange => self.planner.carry_out_call()?,
+        }
+        self.begin_program()?;
+        self.planner.spindle.hold();
+        self.raw(text)
+    }
+
+    /// What clamps, opens or changes something between the call of a tool and its change: the CL data does not say with which
+    /// tool.
+    fn check_place(&self, text: &[u8]) -> Result<(), Fault> {
+        let Some(tool) = self.planner.tooling.next().filter(|_| self.planner.tooling.needs_change()) else {
+            return Ok(());
+        };
+        let text = String::from_utf8_lossy(text);
+        let words = &self.planner.policy.options.standstill;
+        let Some(effect) = words.iter().filter(|word| stands(&text, &word.text)).find_map(|word| word.effect) else {
+            return Ok(());
+        };
+        let fault = Fault::new(format_args!(
+            "`{}` (effect \"{}\") stands between the call of T{} and the motion after it: before the tool change or after it is not \
+             stated",
+            text.trim(),
+            effect,
+            tool.number
+        ));
+        Err(fault.help(format_args!(
+            "state it in `[cl.words]`: `{{ blocks = \"{}\", at = \"before_change\" }}`, \"after_change\" or \"at_approach\"; of \
+             AUXFUN and PREFUN `\"AUXFUN/..\" = {{ at = .. }}`",
+            text.trim()
+        )))
     }
 
     fn function(&mut self, function: MachineFunction) -> Planned {
@@ -282,8 +355,17 @@ impl<S: Sink> Records<'_, '_, S> {
         let planner = &mut *self.planner;
         planner.mover.output_mut().cancel_inverse_time()?;
         let words = String::from_utf8_lossy(text);
-        let stands = |word: &String| words.trim() == word || words.split_whitespace().any(|one| one == word);
-        let stands = planner.policy.options.standstill.iter().any(stands);
+        let mut words_of_it = planner.policy.options.standstill.iter().filter(|word| stands(&words, &word.text));
+        let stands = words_of_it.next();
+        if stands.is_some_and(|word| word.effect.is_none()) {
+            let text = format!(
+                "`{}` is declared \"none\", and its statement in `[cl.words]` does not confirm it",
+                words.trim()
+            );
+            let help = "written at the machine retract with the spindle off; if it moves nothing, confirm it there: `harmless = true`";
+            planner.mover.output_mut().remark(Fault::new(text).help(help));
+        }
+        let stands = stands.is_some();
         if planner.mover.position().is_in_frame() || stands {
             if stands && planner.mover.restarts() > 0 {
                 planner.stop_coolant()?;

@@ -19,7 +19,7 @@ use crate::program::{Location, Move};
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::selection::Opening;
 use crate::motion::plan::tool::LoadedTool;
-use crate::motion::plan::{MotionAndNext, Planner, cutter};
+use crate::motion::plan::{MotionAndNext, Planner, cutter, records};
 use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::Next;
 use crate::motion::step::BlockReason;
@@ -483,6 +483,7 @@ impl<S: Sink> Planner<'_, S> {
     pub(crate) fn end(&mut self, at: Location) -> Planned {
         if !self.selection.is_over() {
             self.mover.output_mut().serve(at, BlockReason::Record);
+            records::come_to_approach(self)?;
             self.skip_blocks(false)?;
         }
         if self.selection.is_over() {

@@ -1,7 +1,7 @@
 //! State before a motion (tool, spindle, feed, coolant), and the records that change it.
 
 use super::*;
-use crate::program::Coolants;
+use crate::program::{BlockPlace, Coolants};
 use crate::set_up::FurtherSetUp;
 
 #[test]
@@ -273,8 +273,8 @@ fn a_spindle_that_is_off_stops_before_the_next_rapid_and_refuses_the_next_feed()
 #[test]
 fn nc_text_and_codes_leave_nothing_in_force() {
     for (event, block) in [
-        (Event::Interruption(Interruption::Insert(b"G0 X5")), "G0 X5"),
-        (Event::Interruption(Interruption::Code { letter: b'M', number: 10 }), "M10"),
+        (Event::Interruption(Interruption::Insert(b"G0 X5", BlockPlace::InOrder)), "G0 X5"),
+        (Event::Interruption(Interruption::Code { letter: b'M', number: 10, place: BlockPlace::InOrder }), "M10"),
     ] {
         let events = [tool(1), spindle(), feed([0.0; 3], UP), event, feed([0.0, 0.0, 1.0], UP)];
         let lines = lines::<Cb>(&config(), &events);
@@ -287,7 +287,12 @@ fn nc_text_and_codes_leave_nothing_in_force() {
 #[test]
 fn nc_text_that_is_not_ascii_is_refused() {
     for text in [&b"G0 X\xff"[..], b"G0\tX1", b""] {
-        let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Interruption(Interruption::Insert(text))];
+        let events = [
+            tool(1),
+            spindle(),
+            feed([0.0; 3], UP),
+            Event::Interruption(Interruption::Insert(text, BlockPlace::InOrder)),
+        ];
         assert!(run::<Cb>(&config(), &events).error().text.contains("not ASCII"));
     }
 }
@@ -400,7 +405,14 @@ fn in_a_dry_run_spindle_and_coolant_stay_off() {
     for code in ["M3", "M4", "M8", "M7", "G4 P"] {
         assert!(!lines.iter().any(|line| line.contains(code)), "{code} in {lines:?}");
     }
-    let raw =
-        run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP), Event::Interruption(Interruption::Insert(b"M3"))]);
+    let raw = run::<Cb>(
+        &config,
+        &[
+            tool(1),
+            spindle(),
+            feed([0.0; 3], UP),
+            Event::Interruption(Interruption::Insert(b"M3", BlockPlace::InOrder)),
+        ],
+    );
     assert!(raw.error().text.contains("a dry run writes no NC text"), "{}", raw.error().text);
 }

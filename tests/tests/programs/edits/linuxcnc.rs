@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use tests::edits::{Allowed, Edit, Posted, Verdict, verdict};
+use tests::edits::{Allowed, Edit, Posted, Verdict, edit, verdict};
 use tests::environment;
 use tests::foreign::{Control, run};
 use tests::linuxcnc::installed;
@@ -225,7 +225,7 @@ fn the_interpreter_of_linuxcnc_agrees_with_the_verdicts() {
     let mut random = Random::new(seed);
     let mut failures = Vec::new();
     for _ in 0..edits {
-        let (posted, edit) = chosen(&programs, &places, "linuxcnc", &mut random);
+        let (posted, edit) = chosen(&programs, &places, "linuxcnc", &mut random, edit);
         let number = programs.iter().position(|other| std::ptr::eq(other, posted)).expect("a program");
         if let Some(why) = wrong(posted, &edit, &originals[number]) {
             if let Ok(path) = std::env::var("PP_EDITS_REPORT") {

@@ -5,7 +5,8 @@
 //! is chosen by control, then by the state of the control, then by the line, so that rare states are met as often as
 //! frequent ones.
 //!
-//! `PP_EDITS=20000 PP_EDITS_SEED=7 cargo test --workspace --test programs edits:: --release -- --nocapture` makes more edits;
+//! `PP_EDITS=20000 PP_EDITS_SEED=7 cargo test --workspace --test programs edits:: --release -- --nocapture` makes more edits, of
+//! each of the tests (`every_harmful_edit`, `every_harmful_permutation`: the order of lines alone changes);
 //! `PP_EDITS_REPORT=path` writes every edit that is missed or falsely found, grouped; their files are in `path.files`.
 
 mod corpus;
@@ -17,7 +18,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use tests::edits::{Edit, Posted, Verdict, edit, restarts_differ, verdict, without_numbers};
+use tests::edits::{Edit, Posted, Subject, Verdict, edit, permutation, restarts_differ, verdict, without_numbers};
 use tests::environment;
 use tests::foreign::{Control, Entry, Options, Refused, Trace, run};
 use tests::random::Random;
@@ -86,7 +87,16 @@ fn places(programs: &[Posted]) -> Places {
     places
 }
 
-fn chosen<'a>(programs: &'a [Posted], places: &Places, control: &str, random: &mut Random) -> (&'a Posted, Edit) {
+/// Makes an edit at a line.
+type Editing = fn(&Subject, usize, &mut Random) -> Option<Edit>;
+
+fn chosen<'a>(
+    programs: &'a [Posted],
+    places: &Places,
+    control: &str,
+    random: &mut Random,
+    edit: Editing,
+) -> (&'a Posted, Edit) {
     let classes: Vec<&Vec<(usize, usize)>> = places[control].values().collect();
     loop {
         let lines = classes[random.below(classes.len())];
@@ -191,7 +201,8 @@ fn is_without_effect(edit: &Edit) -> bool {
     edit.before != edit.after && rest(&edit.before) == rest(&edit.after)
 }
 
-fn judged(posted: &Posted, edit: &Edit, tally: &mut Tally) -> Option<Failure> {
+/// `order`: the order of acting records counts, also of those without effect.
+fn judged(posted: &Posted, edit: &Edit, order: bool, tally: &mut Tally) -> Option<Failure> {
     let subject = &posted.subject;
     let control = subject.options.control;
     tally.edits += 1;
@@ -201,7 +212,7 @@ fn judged(posted: &Posted, edit: &Edit, tally: &mut Tally) -> Option<Failure> {
         || verdict == Verdict::Harmless && !is_harmless_for_the_careful(posted, edit)
         || verdict == Verdict::Harmless && (is_matter_of_taste(posted, edit) || is_displayed(edit))
         || matches!(verdict, Verdict::Refused(_)) && (is_message(edit) || is_another_mode(edit))
-        || matches!(verdict, Verdict::Harmful(_)) && is_without_effect(edit)
+        || matches!(verdict, Verdict::Harmful(_)) && !order && is_without_effect(edit)
         || verdict == Verdict::Harmless && is_another_restart(posted, edit, &edited)
     {
         tally.undecided += 1;
@@ -250,6 +261,15 @@ fn report(failures: &[Failure]) -> String {
 
 #[test]
 fn every_harmful_edit_is_found_and_no_harmless_one() {
+    each_edit(edit, false);
+}
+
+#[test]
+fn every_harmful_permutation_is_found_and_no_harmless_one() {
+    each_edit(permutation, true);
+}
+
+fn each_edit(editing: Editing, order: bool) {
     let more = environment::number("PP_EDITS");
     let edits = more.map_or(EDITS, |edits| edits as usize);
     let seed = environment::number("PP_EDITS_SEED").unwrap_or(1);
@@ -275,8 +295,8 @@ fn every_harmful_edit_is_found_and_no_harmless_one() {
     let mut tallies = [Tally::default(); 5];
     let mut failures = Vec::new();
     for number in 0..edits {
-        let (posted, edit) = chosen(&programs, &places, Control::ALL[number % 5].name(), &mut random);
-        let failure = judged(posted, &edit, &mut tallies[number % 5]);
+        let (posted, edit) = chosen(&programs, &places, Control::ALL[number % 5].name(), &mut random, editing);
+        let failure = judged(posted, &edit, order, &mut tallies[number % 5]);
         if let (Some(failure), Ok(path)) = (&failure, std::env::var("PP_EDITS_REPORT")) {
             let folder = format!("{path}.files/{}", failures.len());
             posted.write(Path::new(&folder), &edit.text).expect("the files can be written");

@@ -7,7 +7,7 @@ use crate::kinematics::machines::{Cb, Mirrored, Xyz};
 use crate::motion::Mode;
 use crate::motion::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
 use crate::program::Units;
-use crate::program::{Arc, Feed, Interruption, MachineFunction, NewStart, TextKind, ToolMotion};
+use crate::program::{Arc, BlockPlace, Feed, Interruption, MachineFunction, NewStart, TextKind, ToolMotion};
 use crate::set_up::GivenTool;
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
@@ -183,7 +183,7 @@ fn records_that_interrupt_the_look_ahead_are_refused() {
         (asked(CutterSide::Right), "the other side"),
         (Event::Interruption(Interruption::Stop), "the program stops"),
         (Event::NewStart(NewStart::Home), "GOHOME follows"),
-        (Event::Interruption(Interruption::Insert(b"M64")), "NC text"),
+        (Event::Interruption(Interruption::Insert(b"M64", BlockPlace::InOrder)), "NC text"),
         (tool(1), "a tool is called"),
         (Event::NewStart(NewStart::Operation(b"NEXT")), "another operation"),
         (Event::Text(TextKind::Message, b"the end"), "the program ends"),
