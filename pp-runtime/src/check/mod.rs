@@ -37,6 +37,7 @@
 //! ```
 
 mod compare;
+mod edits;
 mod expect;
 mod geometry;
 pub mod policy;
@@ -53,7 +54,7 @@ use std::io::{self, Read, Seek};
 #[cfg(feature = "simulate")]
 pub(crate) use geometry::angle_between;
 pub use policy::CheckPolicy;
-pub use report::{Finding, Outcome};
+pub use report::{Finding, Outcome, PermittedEdit};
 pub use stream::{ExecutedBlock, Leg, Observer};
 pub(crate) use vocabulary::faults_of_lines;
 
@@ -62,6 +63,7 @@ use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, Machine};
 use crate::program::Units;
 use compare::Checker;
+use policy::EditPolicy;
 use read::{Pieces, PlacedLines, Reader};
 
 /// The reason why a program could not be checked.
@@ -149,6 +151,9 @@ pub(crate) fn check_data(
     program: &mut dyn Pieces,
     mut observer: Option<&mut dyn Observer>,
 ) -> Result<Checked, CheckError> {
+    if !policy.edits.edits.is_empty() {
+        return check_edited(machine, policy, data, program, observer);
+    }
     let machine = policy.set_up.machine_for(machine).map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
     let units = match policy.output_units {
         Some(units) => units,
@@ -167,6 +172,32 @@ pub(crate) fn check_data(
         .map_err(CheckError::Input)?;
     }
     Ok(checker.conclude(reader.lines()))
+}
+
+/// [`check_data`] of a program with edits that are meant: it is compared as it was posted, and then with that.
+fn check_edited(
+    machine: &dyn AnyMachine,
+    policy: &CheckPolicy,
+    data: &mut dyn ClData,
+    program: &mut dyn Pieces,
+    observer: Option<&mut dyn Observer>,
+) -> Result<Checked, CheckError> {
+    let (mut edited, mut piece) = (Vec::new(), Vec::new());
+    loop {
+        program.next_piece(&mut piece).map_err(CheckError::Program)?;
+        if piece.is_empty() {
+            break;
+        }
+        edited.extend_from_slice(&piece);
+    }
+    let posted = edits::take_back(&edited, &policy.edits, policy.family);
+    let plain = CheckPolicy { edits: EditPolicy::default(), ..policy.clone() };
+    let mut checked = check_data(machine, &plain, data, &mut &posted.text[..], observer)?;
+    let units = policy.output_units.or(policy.reading.units).unwrap_or_default();
+    let vocabulary = vocabulary::vocabulary(machine, policy, units);
+    let concluded = posted.conclude(&edited, &vocabulary, &policy.edits, &mut checked.outcome);
+    concluded.map_err(CheckError::Program)?;
+    Ok(checked)
 }
 
 /// The blocks of a program as its control reads them, without comments.

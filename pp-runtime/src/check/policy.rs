@@ -54,6 +54,41 @@ pub struct CheckPolicy {
     pub shop: ShopBlocks,
     /// Rules of single operations.
     pub operations: Vec<OperationRule>,
+    /// Edits of the program that are meant.
+    pub edits: EditPolicy,
+}
+
+/// Edits of a program that are meant, and how far F and S may go.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct EditPolicy {
+    /// The edits.
+    pub edits: Vec<MeantEdit>,
+    /// Largest ratio of an edited F to the posted one, where it may be larger.
+    pub feed_factor: Option<f64>,
+    /// Largest ratio of an edited S to the posted one, and of the posted one to it.
+    pub speed_factor: Option<f64>,
+}
+
+/// An edit that is meant.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MeantEdit {
+    /// Where it is.
+    pub block: EditedBlock,
+    /// Text as posted; empty where something is added.
+    pub old: String,
+    /// Text as edited; empty where something is taken away.
+    pub new: String,
+    /// Why.
+    pub reason: String,
+}
+
+/// A block that is edited.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EditedBlock {
+    /// By its block number.
+    Number(u64),
+    /// By its line, from 1.
+    Line(u64),
 }
 
 impl CheckPolicy {
@@ -366,6 +401,8 @@ pub struct ShopBlocks {
     pub length_guard_mm: Option<f64>,
     /// The guard is needed only where words are positions of axes that have rotated.
     pub guards_rotated_axes_only: bool,
+    /// The control has tilted planes: at zero, axis positions may be coordinates in a plane.
+    pub has_planes: bool,
     /// Such words lead to tip control as well.
     pub guards_tip_control: bool,
     /// Rotary positions are compared after each plane call, where the control can.

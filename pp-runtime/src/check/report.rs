@@ -1,6 +1,7 @@
 //! Result of a check: figures of the whole program, and findings that name the CL line and the block.
 
 use std::collections::HashMap;
+use std::fmt::{self, Display, Formatter};
 
 use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity, grouped, without_numbers};
 use crate::kinematics::math::larger;
@@ -110,9 +111,50 @@ pub struct Outcome {
     pub count: u64,
     /// Line of the program from which on it was not compared, because the CL data has an error.
     pub not_compared_from: Option<u64>,
+    /// Edits that the program has, and that are permitted.
+    pub permitted: Vec<PermittedEdit>,
+}
+
+/// An edit of a program that is permitted.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PermittedEdit {
+    /// Line of the program.
+    pub line: u64,
+    /// Its text, as edited.
+    pub block: String,
+    /// What the edit has taken away.
+    pub old: String,
+    /// What it has put there.
+    pub new: String,
+    /// Why.
+    pub reason: String,
+}
+
+impl Display for PermittedEdit {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self { line, block, old, new, reason } = self;
+        let what = match (old.is_empty(), new.is_empty()) {
+            (true, _) => format!("`{new}` added"),
+            (_, true) => format!("`{old}` taken away"),
+            _ => format!("`{new}` for `{old}`"),
+        };
+        write!(f, "permitted edit: {what} ({reason}); line {line} of the program is `{block}`")
+    }
 }
 
 impl Outcome {
+    /// Adds a finding about a line of the program.
+    pub(super) fn add(&mut self, line: u64, block: &[u8], cause: &str) {
+        self.findings.push(Finding::new(Location::default(), Shown { line, text: block }, cause, None));
+        self.count += 1;
+    }
+
+    /// The permitted edits, a line each, and the figures.
+    #[must_use]
+    pub fn lines(&self) -> Vec<String> {
+        self.permitted.iter().map(ToString::to_string).chain([self.summary()]).collect()
+    }
+
     /// Whether the program does what the CL data asks for.
     #[must_use]
     pub fn passed(&self) -> bool {
@@ -141,8 +183,13 @@ impl Outcome {
         // Rounding of the words is allowed in addition to the tolerance.
         let rounding =
             if self.count == 0 && self.path_mm > self.tolerance_mm { " plus rounding of the words" } else { "" };
+        let edits = match self.permitted.len() {
+            0 => String::new(),
+            1 => " with 1 permitted edit".to_owned(),
+            count => format!(" with {count} permitted edits"),
+        };
         format!(
-            "checked: {} motion blocks{found}, largest deviation of tip {} µm, of tool axis {:.4}°, of path {} µm of {} \
+            "checked{edits}: {} motion blocks{found}, largest deviation of tip {} µm, of tool axis {:.4}°, of path {} µm of {} \
              allowed{rounding}, {limits}{rest}",
             grouped(self.blocks),
             short(self.tip_mm * 1e3),

@@ -11,7 +11,7 @@ use crate::kinematics::AnyMachine;
 
 use super::args::{CheckArgs, MessageFormat};
 use super::cl_source::ClSource;
-use super::inputs::{open_cl_data, read_config, show_progress};
+use super::inputs::{open_cl_data, read_config, read_edits, show_progress};
 use super::messages::Messages;
 use super::outcome::{Failure, Status, Streams, is_standard, print};
 
@@ -29,11 +29,20 @@ struct Figures {
     /// Line of the program from which on it was not compared, because the CL data has an error.
     #[serde(skip_serializing_if = "Option::is_none")]
     not_compared_from: Option<u64>,
+    /// Edits of the program that are permitted.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    permitted_edits: Vec<String>,
 }
 
 pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.format());
-    let config = read_config(machine, &args.set_up, &mut messages)?;
+    let mut config = read_config(machine, &args.set_up, &mut messages)?;
+    if let Some(path) = &args.edits {
+        let mut edits = read_edits(machine, path, &mut messages)?;
+        config.check.edits.append(&mut edits.edits);
+        config.check.feed_factor = edits.feed_factor.or(config.check.feed_factor);
+        config.check.speed_factor = edits.speed_factor.or(config.check.speed_factor);
+    }
     let mut source = open_cl_data(&args.input, &args.set_up, streams.input)?;
     let name = source.name().to_owned();
     let mut program: Box<dyn Read + '_> = match (is_standard(&args.program), is_standard(&args.input)) {
@@ -56,7 +65,7 @@ pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Stre
     }
     report(&checked, &name, &mut source, Some(&args.program.to_string_lossy()), &mut messages)
         .map_err(|error| Failure::Unreadable(name.clone(), error))?;
-    messages.note(&checked.outcome.summary());
+    checked.outcome.lines().iter().for_each(|line| messages.note(line));
     let passed = checked.passed();
     if args.format() == MessageFormat::Json {
         let figures = figures(&checked, passed);
@@ -108,5 +117,6 @@ fn figures(checked: &Checked, passed: bool) -> Figures {
         tolerance_mm: outcome.tolerance_mm,
         outside_limits: outcome.outside_limits,
         not_compared_from: outcome.not_compared_from,
+        permitted_edits: outcome.permitted.iter().map(ToString::to_string).collect(),
     }
 }

@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use crate::config::{self, Config};
+use crate::config::{self, Config, EditOptions};
 use crate::control::Control;
 use crate::diag::Diagnostic;
 use crate::kinematics::AnyMachine;
@@ -64,6 +64,19 @@ pub(crate) fn read_config_file(
             Ok(config)
         }
     }
+}
+
+/// The edits of a file of their own, which has the table `[check]` alone.
+pub(crate) fn read_edits(
+    machine: &dyn AnyMachine,
+    path: &Path,
+    messages: &mut Messages<'_>,
+) -> Result<EditOptions, Failure> {
+    let text = read_text(path, "list of edits")?;
+    config::read_edits(machine, &text).map_err(|faults| {
+        messages.diagnostics(&path.display().to_string(), &mut text.as_bytes(), &faults);
+        Failure::Reported
+    })
 }
 
 /// The text of a configuration or a tool table; `what`: which of them.

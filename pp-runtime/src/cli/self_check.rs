@@ -9,6 +9,7 @@ use std::io::{self, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 
+use crate::check::policy::EditPolicy;
 use crate::check::read::Pieces;
 use crate::check::{CheckError, CheckPolicy, Checked, Finding, check_data};
 use crate::config::Config;
@@ -85,6 +86,8 @@ impl SelfCheck {
     ) -> Result<Self, Failure> {
         let (sender, receiver) = sync_channel(MOST_PIECES);
         let (machine, mut input) = (machine.to_boxed(), source.again());
+        // Nobody has edited it.
+        let policy = CheckPolicy { edits: EditPolicy::default(), ..policy };
         let body = move || {
             let mut program = Handed(receiver);
             match points {

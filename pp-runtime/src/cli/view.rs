@@ -153,7 +153,7 @@ fn show(
         check::report(checked, &name, &mut source, program.as_deref(), &mut messages)
             .map_err(|error| Failure::Unreadable(name.clone(), error))?;
     }
-    messages.note(&checked.outcome.summary());
+    checked.outcome.lines().iter().for_each(|line| messages.note(line));
     for (output, target) in outputs.iter().zip(targets) {
         let unwritable = |error| Failure::unwritable(output.path, error);
         let Some(mut target) = target else {

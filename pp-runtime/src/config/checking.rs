@@ -107,6 +107,7 @@ impl Config {
             }),
             shop: self.shop_blocks(machine, control),
             operations: self.motion.operations.entries.iter().map(rule).collect(),
+            edits: self.check.policy(),
         }
     }
 
@@ -227,7 +228,8 @@ impl Config {
     }
 
     fn shop_blocks(&self, machine: &dyn AnyMachine, of_job: &dyn Control) -> ShopBlocks {
-        let enters_by_axes = control::abilities(of_job, self.demands()).enters_tip_control_by_axes();
+        let abilities = control::abilities(of_job, self.demands());
+        let enters_by_axes = abilities.enters_tip_control_by_axes();
         let control = &self.control;
         let rotary_head = rotaries_of(machine.axes(), Side::Tool).next().is_some();
         // A rotary axis in the head makes axis positions depend on the length.
@@ -243,6 +245,7 @@ impl Config {
             own_safety: control.safety.is_some(),
             length_guard_mm: (guarded && self.set_up.length_mode == LengthMode::Tip)
                 .then_some(self.motion.guards.length_tolerance_mm),
+            has_planes: abilities.plane.is_some(),
             guards_tip_control: enters_by_axes,
             guards_rotated_axes_only: self.motion.guards.length_guard.is_none() && self.motion.mode_of_all().is_none(),
             guards_planes: self.motion.guards.plane_guard,

@@ -25,6 +25,7 @@
 
 mod checking;
 mod dimensions;
+mod edits;
 mod print;
 mod read;
 #[cfg(test)]
@@ -54,7 +55,9 @@ pub use crate::nc::Formats;
 pub use crate::program::Units;
 pub use crate::set_up::{AxisBounds, GivenTool, LengthMode, ProgramZero, Solid, SolidLink, SolidShape, Solids, Stock};
 pub use checking::NotCheckable;
+pub use edits::EditOptions;
 pub use print::print;
+pub(crate) use read::read_edits;
 pub use schema::schema;
 
 options! {
@@ -75,6 +78,8 @@ options! {
         formats: nc::Formats = nc::Formats::DEFAULT, keys();
         /// How the control differs from its table.
         control: ControlOptions = ControlOptions::default(), keys();
+        /// Edits of a posted program that are meant.
+        check: EditOptions = EditOptions::default(), keys();
         /// The file has lengths and does not state its unit: mm is assumed.
         file_units_assumed: bool = false;
         /// Keys that are given, not assumed, by their paths in a file: `part_origin`, `retract.position`.

@@ -9,7 +9,24 @@ use crate::keys::{KeyReader, KeyScope, KeyTable, Keys};
 use crate::kinematics::{AnyMachine, Machine};
 use crate::set_up::{LengthMode, along_axes};
 
-use super::{Config, Rapid, Units, starting_point};
+use super::{Config, EditOptions, Rapid, Units, starting_point};
+
+/// Reads a file with the table `[check]` alone, and its faults.
+pub(crate) fn read_edits(machine: &dyn AnyMachine, text: &str) -> Result<EditOptions, Vec<Diagnostic>> {
+    let mut reader = KeyReader::new(text, scope(machine));
+    let (root, errors) = DeTable::parse_recoverable(text);
+    for error in &errors {
+        reader.fault(error.span().unwrap_or(0..0), error.message(), None);
+    }
+    let mut edits = EditOptions::default();
+    if !reader.has_faults() {
+        let mut file = KeyTable::new("", Some(root.get_ref()));
+        edits.read(&mut file, &mut reader);
+        file.close(&mut reader);
+        reader.report_unknown(&[]);
+    }
+    if reader.has_faults() { Err(reader.into_faults()) } else { Ok(edits) }
+}
 
 impl Config {
     /// Reads a configuration file for the machine `M` and a control, which has number formats of its own: the configuration with

@@ -2,7 +2,8 @@
 
 use std::io::{Read, Seek, SeekFrom};
 
-use crate::check::{CheckError, Checked, check};
+use crate::check::policy::EditPolicy;
+use crate::check::{CheckError, CheckPolicy, Checked, check};
 use crate::control::comments;
 use crate::kinematics::Machine;
 
@@ -61,6 +62,8 @@ impl CheckedProgram {
 pub fn post_checked<M: Machine>(job: &Job<'_>, input: &mut (impl Read + Seek)) -> Result<CheckedProgram, PostError> {
     let policy =
         job.config.check_policy::<M>(job.control, job.units).map_err(|reason| PostError::Unfit(reason.to_string()))?;
+    // Nobody has edited it.
+    let policy = CheckPolicy { edits: EditPolicy::default(), ..policy };
     let start = input.stream_position().map_err(PostError::Input)?;
     let mut text = Vec::new();
     let report = post::<M>(job, input, &mut text)?;

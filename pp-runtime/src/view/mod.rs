@@ -189,7 +189,7 @@ impl<'a> ViewedProgram<'a> {
 
     /// Lines of the summary, with the figures of the check and of a simulation.
     fn summary(&self) -> Vec<String> {
-        let checked = self.titles.summary.iter().cloned().chain([self.checked.outcome.summary()]);
+        let checked = self.titles.summary.iter().cloned().chain(self.checked.outcome.lines());
         #[cfg(feature = "simulate")]
         let checked = checked.chain(self.simulated.iter().flat_map(|simulated| simulated.summary.iter().cloned()));
         checked.collect()

@@ -21,6 +21,8 @@ use crate::set_up::{LengthMode, ProgramZero};
 pub(super) struct FunctionState {
     /// Length guard since a complete state began.
     guard: Option<Guard>,
+    /// Whether the first tool that can have a length guard has one.
+    guards: Option<bool>,
     /// Largest radius that a guard allows since a complete state began, mm.
     radius_guard_mm: Option<f64>,
     /// The spindle has started, and its dwell is to come.
@@ -176,18 +178,29 @@ impl FunctionState {
     pub(super) fn start(&mut self, rules: &Rules<'_>, required: &Required, block: &Block) -> Vec<String> {
         let blank = self.blank_fault(rules).map(str::to_owned);
         let policy = rules.policy();
-        // Where the program chooses the meaning of its words, the length matters in positions of rotated axes only.
+        // Where the program chooses the meaning of its words: positions of axes at zero may be coordinates in a plane that is not
+        // tilted, and do not depend on the length.
         let positions = match rules.meaning() {
-            LinearMeaning::AxisPositions => true,
+            LinearMeaning::AxisPositions => !policy.shop.has_planes || !rules.are_at_zero(block),
             LinearMeaning::TipCoordinates => policy.shop.guards_tip_control,
             LinearMeaning::PlaneCoordinates => false,
         };
-        let matters = !policy.shop.guards_rotated_axes_only || positions && !rules.are_at_zero(block);
-        let guard = match (policy.shop.length_guard_mm, required.gauge_length_mm, required.tool) {
-            (Some(_), Some(length), Some(tool))
-                if matters && guarded(rules, required).is_some() && self.guard.is_none() =>
-            {
-                Some(format!("the length guard of T{tool}, length {length} mm, is missing after the restart point"))
+        let guardable = required.gauge_length_mm.zip(required.tool).filter(|_| guarded(rules, required).is_some());
+        let guard = match (policy.shop.length_guard_mm, guardable) {
+            (Some(_), Some((length, tool))) => {
+                // A program that guards one tool guards all whose length is known.
+                let matters = !policy.shop.guards_rotated_axes_only || positions || self.guards == Some(true);
+                let is_guarded = self.guard.is_some();
+                let before = *self.guards.get_or_insert(is_guarded);
+                match (is_guarded, matters) {
+                    (false, true) => Some(format!(
+                        "the length guard of T{tool}, length {length} mm, is missing after the restart point"
+                    )),
+                    (true, _) if !before => Some(format!(
+                        "T{tool} has a length guard, and the tools before it have none: theirs are missing"
+                    )),
+                    _ => None,
+                }
             }
             _ => None,
         };

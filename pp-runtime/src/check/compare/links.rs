@@ -128,6 +128,7 @@ impl Comparison<'_> {
         let ended = self.progress.next().is_none();
         let misplaced = place_of_line(&own.places, phase, self.tally.motions(), ended);
         self.found_any(current, misplaced.filter(|_| !is_of_cl));
+        self.begins_operation(own, is_of_cl, current);
         let register = self.progress.next().map(|item| item.required.register);
         let of_another = self.shop_lines.values_fault(own, current.block.state.tool, register);
         self.found_any(current, of_another);
@@ -135,6 +136,25 @@ impl Comparison<'_> {
         if needs_retract(own) {
             self.start.retracted = false;
             self.shop_lines.lose_retract();
+        }
+    }
+
+    /// A line of the shop for the start of an operation comes after its complete state, its tool change and the retract.
+    fn begins_operation(&mut self, own: &OwnLine, is_of_cl: bool, current: &Current<'_>) {
+        let of_start = |place: &OwnPlace| {
+            matches!(place, OwnPlace::OperationStart | OwnPlace::ToolStart { .. } | OwnPlace::MeasureTool)
+        };
+        if is_of_cl || !own.places.iter().all(of_start) {
+            return;
+        }
+        let StartState { restarted, retracted } = self.start;
+        let begun = retracted && (restarted || self.rules.policy().shop.own_safety);
+        let tool = current.block.state.tool;
+        if !begun || tool.is_some() && tool != self.tool_due() {
+            self.found(
+                current,
+                "this line comes before the complete state, the tool change or the retract of its operation",
+            );
         }
     }
 
@@ -403,7 +423,6 @@ impl Comparison<'_> {
         let is_home =
             |item: &ExpectedItem| matches!(item.action, ExpectedAction::Home) && self.is_with_tool(item, block);
         if self.progress.next().is_some_and(is_home) {
-            self.ends_operation(current);
             self.progress.take();
             retracted.parks = true;
             (self.home, self.parked) = (true, 0);

@@ -593,8 +593,21 @@ impl Comparison<'_> {
         self.progress.is_needless(index, &self.rules, here, self.previous.chords)
     }
 
-    /// A plane, and a zero that follows the table, keep the state in which they are switched on.
+    /// A plane, and a zero that follows the table, keep the state in which they are switched on; so does a length that is called,
+    /// where its call may move an axis.
     fn captured_state(&mut self, current: &Current<'_>) {
+        let (before, now) = (&self.setters.before, &current.block.state);
+        let moves = self.rules.facts().length_moves && current.block.own.is_none();
+        if let Some(Length::Register(register)) = now.length.filter(|_| moves && now.length != before.length) {
+            let motion = (0..).map_while(|index| self.progress.get(index)).find(|item| item.motion().is_some());
+            let expected = motion.map(|item| item.required.register).filter(|expected| *expected != register);
+            if let Some(expected) = expected {
+                self.found(
+                    current,
+                    &format!("length register {register} is called, expected {expected}: the call may move the tool"),
+                );
+            }
+        }
         let (before, now) = (&self.setters.before, &current.block.state);
         let tilts = now.tilt.is_some() && now.tilt != before.tilt;
         if !tilts && (before.dynamic_offset || !now.dynamic_offset) {

@@ -346,3 +346,30 @@ fn after_an_error_of_the_cl_data_nothing_is_compared() {
         }
     }
 }
+
+/// A length that is called alone may move the tool, although another is in force when the axes move.
+#[test]
+fn a_length_that_is_called_between_is_found() {
+    for (control, call) in [("fanuc", "G43 H1 Z50."), ("haas", "G43 H1 Z50.")] {
+        let program = posted_right::<Mill>(control, Mode::Axes, "retract.distance = 20\n", TWO_OPERATIONS);
+        let at = program.find(call).expect("the length");
+        let between = format!("{}G43 H5\n{}", &program[..at], &program[at..]);
+        assert_told::<Mill>(control, Mode::Axes, "retract.distance = 20\n", TWO_OPERATIONS, &between);
+    }
+}
+
+/// On the way to tip control axes with a head go to positions that depend on the length, whatever key asks for the guard.
+#[test]
+fn a_length_guard_that_nobody_has_asked_for_is_missed() {
+    let set_up =
+        "retract.distance = 20\ntcp_frame = \"table_at_zero\"\ntools = { 1 = { length = 100 }, 2 = { length = 90 } }\n";
+    let data = TWO_OPERATIONS.replace("GOTO/20,0,0\n", "GOTO/20,0,0,0.1,0,0.9949874\n");
+    let data = data.replace("GOTO/0,0,50\n", "GOTO/0,0,50,0,0,1\n").replace("GOTO/0,9,50\n", "GOTO/0,9,50,0,0,1\n");
+    let program = posted_right::<HeadTable>("fanuc", Mode::Auto, set_up, &data);
+    assert!(program.contains("G43.4"), "{program}");
+    let guards: Vec<&str> = program.lines().filter(|line| line.starts_with("IF [")).collect();
+    assert_eq!(guards.len(), 2, "{program}");
+    for guard in guards {
+        assert_told::<HeadTable>("fanuc", Mode::Auto, set_up, &data, &program.replace(&format!("{guard}\n"), ""));
+    }
+}

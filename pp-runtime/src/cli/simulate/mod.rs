@@ -188,7 +188,7 @@ pub(crate) fn run(
     }
     let written = args.program.as_deref().map(Path::to_string_lossy);
     check::report(&simulated.checked, &name, &mut source, written.as_deref(), &mut messages).map_err(unreadable)?;
-    messages.note(&simulated.checked.outcome.summary());
+    simulated.checked.outcome.lines().iter().for_each(|line| messages.note(line));
     simulated.report(&mut messages);
     if let Some((page, mut written)) = page {
         written.execution = written.execution.filter(|_| !simulated.executes_otherwise());

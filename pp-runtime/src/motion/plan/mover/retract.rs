@@ -202,7 +202,7 @@ impl<S: Sink> Mover<'_, S> {
         if mask != 0 {
             self.home_before_rotation(&turned)?;
             self.clamps.switch(mask, false, &mut self.output)?;
-            self.rapid_alone(&turned, mask)?;
+            self.rotate_alone(&turned, mask)?;
             self.clamps.switch(mask, true, &mut self.output)?;
         }
         let mut others = AxisWords::default();
