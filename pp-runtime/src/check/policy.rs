@@ -275,6 +275,8 @@ pub struct LinkPolicy {
     pub clearance: Option<Clearance>,
     /// Rotary axes are rewound in the cut.
     pub rewinds_in_cut: bool,
+    /// Feed back to the part after a rewind, mm/min; without it that of the cut.
+    pub entry_feed_mm_per_min: Option<f64>,
     /// Coolant is off while rotary axes are rewound at the retract position.
     pub rewinds_dry: bool,
     /// Distance of the approach point from the first point, along the tool axis, mm.
@@ -283,6 +285,8 @@ pub struct LinkPolicy {
     pub retracts_for_stop: bool,
     /// Optional stops that the CL data does not program.
     pub optional_stops: StopRule,
+    /// Dwell before a tool change after coolant through the spindle, s.
+    pub through_dwell_s: f64,
     /// Dwell after the spindle is switched on, s.
     pub spindle_dwell_s: f64,
     /// Parking position of axes at the end: mm in machine coordinates, rad.

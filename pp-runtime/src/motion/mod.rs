@@ -53,11 +53,11 @@ pub use geometry::{ArcPlane, Circle};
 pub use modes::{ModeFinder, StretchModes};
 pub(crate) use options::nearly_zero;
 pub use options::{
-    Approach, ArcForm, ArcOptions, ArcOutput, BoreRetract, ClampCodes, CourseOptions, CutterPath, CycleOptions,
-    CycleOutput, Defaults, FeedLimits, GuardOptions, Links, Mode, MotionOptions, OperationChoice, OperationEntry,
-    OperationSettings, OperationTable, Operations, OptionalStops, PathNorm, Policy, Rapid, RapidOptions, Retract,
-    Rewind, RotaryOptions, Singular, Smoothing, StandstillWord, StretchMode, TcpFrame, TcpWords, ThreadFeed,
-    TipOptions, ToolPosture, Transition, Wrap,
+    Approach, ArcForm, ArcOptions, ArcOutput, BoreRetract, ClampCodes, CoolantOptions, CourseOptions, CutterPath,
+    CycleOptions, CycleOutput, Defaults, FeedLimits, GuardOptions, Links, Mode, MotionOptions, OperationChoice,
+    OperationEntry, OperationSettings, OperationTable, Operations, OptionalStops, PathNorm, Policy, Rapid,
+    RapidOptions, Retract, Rewind, RotaryOptions, Singular, Smoothing, StandstillWord, StretchMode, TcpFrame, TcpWords,
+    ThreadFeed, TipOptions, ToolPosture, Transition, Wrap,
 };
 pub(crate) use place::rotaries_of;
 pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, TipStart, UsableModes, unsuited};

@@ -25,7 +25,7 @@ pub use cutting::{
     ArcForm, ArcOptions, ArcOutput, BoreRetract, CutterPath, CycleOptions, CycleOutput, Defaults, FeedLimits, PathNorm,
     ThreadFeed,
 };
-pub use links::{Approach, Links, Rapid, RapidOptions, Retract, Rewind, Transition};
+pub use links::{Approach, CoolantOptions, Links, Rapid, RapidOptions, Retract, Rewind, Transition};
 pub use operations::{OperationChoice, OperationEntry, OperationSettings, OperationTable, Smoothing};
 pub use words::{ClampCodes, Mode, RotaryOptions, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Wrap};
 
@@ -108,6 +108,8 @@ options! {
         feed: FeedLimits = FeedLimits::default(), keys();
         /// Approach to the part.
         approach: Approach = Approach::default(), keys();
+        /// Coolant around tool changes.
+        coolant: CoolantOptions = CoolantOptions::default(), keys();
         /// Words and clamps of rotary axes.
         rotaries: RotaryOptions = RotaryOptions::default(), keys();
         /// Operations that are posted; all without it.

@@ -558,8 +558,10 @@ impl Comparison<'_> {
         }
         // The cut may have been interrupted just before the end of a motion, or just after it.
         let feed = self.progress.motion().map(|motion| self.rules.feed_of(motion));
-        let next = self.progress.next().map(|item| Rc::clone(&item.required)).zip(feed);
-        let finished = cutting.finished.as_ref().map(|finished| (Rc::clone(&finished.required), finished.feed));
+        let entry = self.rules.policy().links.entry_feed_mm_per_min.map(Feed::PerMinute);
+        let next = self.progress.next().map(|item| Rc::clone(&item.required)).zip(feed.map(|feed| entry.or(feed)));
+        let finished =
+            cutting.finished.as_ref().map(|finished| (Rc::clone(&finished.required), entry.or(finished.feed)));
         let fault = |(required, programmed): &(Rc<Required>, Option<Feed>)| {
             let state = self.rules.fault_at_path(block, required, self.modal_context());
             let feed = state.is_none() && self.rules.is_known(block, known);

@@ -7,11 +7,11 @@ use super::super::expect::{Required, RequiredSmoothing, SpindleState};
 use super::super::policy::{LinearMeaning, SmoothingLevel};
 use super::super::read::{
     Action, BlankPart, Block, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords,
-    State, stated,
+    State, coolant, stated,
 };
 use super::super::rules::Rules;
 use super::phase::Phase;
-use crate::check::tolerances::{ROUNDED_GUARD, ROUNDED_TOLERANCE, SHORT_SPINDLE_DWELL, THINNEST_BLANK};
+use crate::check::tolerances::{ROUNDED_DWELL, ROUNDED_GUARD, ROUNDED_TOLERANCE, SHORT_SPINDLE_DWELL, THINNEST_BLANK};
 use crate::kinematics::Axis;
 use crate::program::Rotation;
 use crate::set_up::{LengthMode, ProgramZero};
@@ -25,6 +25,8 @@ pub(super) struct FunctionState {
     guards: Option<bool>,
     /// Largest radius that a guard allows since a complete state began, mm.
     radius_guard_mm: Option<f64>,
+    /// Coolant through the spindle has been on since the last tool change or its dwell.
+    drains: bool,
     /// The spindle has started, and its dwell is to come.
     dwell_is_due: bool,
     /// Sense of rotation after the last block.
@@ -230,6 +232,28 @@ impl FunctionState {
                 _ => {}
             }
         }
+    }
+
+    /// Notes coolant through the spindle in a block.
+    pub(super) fn coolant(&mut self, state: &State) {
+        let through = coolant::PRESSURES.iter().fold(coolant::THROUGH, |bits, bit| bits | bit);
+        self.drains |= state.coolant.is_some_and(|on| on & through != 0);
+    }
+
+    /// Whether a dwell is the one before a tool change after coolant through the spindle; then it has come.
+    pub(super) fn drain(&mut self, seconds: f64, rules: &Rules<'_>) -> bool {
+        let expected = rules.policy().links.through_dwell_s;
+        let drains = self.drains && expected > 0.0 && (expected - seconds).abs() <= ROUNDED_DWELL;
+        self.drains &= !drains;
+        drains
+    }
+
+    /// What is missing before a tool change after coolant through the spindle.
+    pub(super) fn undrained(&mut self, rules: &Rules<'_>) -> Option<String> {
+        let expected = rules.policy().links.through_dwell_s;
+        let missing = std::mem::take(&mut self.drains) && expected > 0.0;
+        missing
+            .then(|| format!("the dwell of {expected} s (`coolant.through_dwell`) before this tool change is missing"))
     }
 
     /// Notes the spindle after a block; what is wrong where one moves.

@@ -162,6 +162,7 @@ impl Comparison<'_> {
     #[inline(never)]
     fn modes_before_task(&mut self, phase: &Phase, current: &Current<'_>) {
         let block = current.block;
+        self.functions.coolant(&block.state);
         let length = std::mem::replace(&mut self.previous.length, block.state.length);
         let tilted = std::mem::replace(&mut self.previous.tilted, block.state.tilt.is_some());
         if !phase.is_at_part() {
@@ -388,7 +389,9 @@ impl Comparison<'_> {
             self.found_any(current, fault);
             self.missing_dwells(current, false);
         }
-        self.is_parked(current);
+        if self.start.restarted {
+            self.is_parked(current);
+        }
         let mut retracted = self.retracted(phase, current);
         let rewinds = retracted.rewind.is_some();
         // The cuts after a rewind belong to those before it.
@@ -741,7 +744,7 @@ impl Comparison<'_> {
         }
         self.pass_lift_to_hole(end);
         let Some(motion) = self.progress.motion() else { return cutting };
-        let (to, above) = (motion.to, self.approach_point(0, motion));
+        let (to, rapid, above) = (motion.to, motion.rapid, self.approach_point(0, motion));
         let (off, angle) = ((end.tip - above.tip).norm(), angle_between(&end.axis, &above.axis));
         if self.rules.is_at(end, &above) {
             self.tally.deviation(off, angle);
@@ -751,6 +754,9 @@ impl Comparison<'_> {
                 current,
                 &format!("the approach ends {off:.4} mm from the approach point, the tool axis is {angle:.4}° off"),
             );
+        }
+        if above == to && !rapid {
+            self.found(current, "the approach leads to the end of a cut");
         }
         self.progress.approach(above);
         self.previous.arc_plane = None;
@@ -929,6 +935,8 @@ impl Comparison<'_> {
         if self.setters.at_block.spindle.flatten().is_some() {
             self.found(current, "tool change with the spindle on");
         }
+        let undrained = self.functions.undrained(&self.rules);
+        self.found_any(current, undrained);
         if !phase.is_retracted() || !self.start.retracted {
             self.found(current, "tool change before the machine has retracted");
         } else {
@@ -1032,6 +1040,9 @@ impl Comparison<'_> {
             return Ok(());
         }
         if !phase.is_at_part() && self.shop_lines.has(current.shown.text) {
+            return Ok(());
+        }
+        if phase.is_retracted() && self.functions.drain(seconds, &self.rules) {
             return Ok(());
         }
         let spindle = self.rules.policy().links.spindle_dwell_s;

@@ -118,6 +118,8 @@ struct Operation {
     position_known: bool,
     /// Something has moved since the last stop.
     worked: bool,
+    /// The last stop is that of the configuration, and nothing has come since.
+    stopped: bool,
     /// A tool record is in this start.
     called: bool,
     /// The tool has changed in this start.
@@ -154,6 +156,7 @@ impl<'a> ClState<'a> {
             starts: true,
             position_known: false,
             worked: false,
+            stopped: false,
             called: false,
             changed: false,
             named: false,
@@ -244,6 +247,7 @@ impl<'a> ClState<'a> {
     fn interruption(&mut self, at: Location, interruption: Interruption<'_>) {
         match interruption {
             Interruption::Stop => self.interrupt(at, ExpectedAction::Stop { optional: false }),
+            Interruption::OptionalStop if self.operation.stopped => self.begin_anew(),
             Interruption::OptionalStop => self.interrupt(at, ExpectedAction::Stop { optional: true }),
             Interruption::BlockSkip { on } => self.block_skip(at, on),
             Interruption::Insert(text, place) => self.raw(at, text.to_vec(), place),
@@ -353,6 +357,7 @@ impl<'a> ClState<'a> {
         };
         if wanted && self.operation.worked && !ends {
             self.interrupt(at, ExpectedAction::Stop { optional: true });
+            self.operation.stopped = true;
         }
     }
 
@@ -484,6 +489,7 @@ impl<'a> ClState<'a> {
         self.before_call.get_or_insert_with(|| Rc::clone(&self.required));
         let given = self.policy.set_up.tools.get(&call.number);
         if self.required.tool != Some(call.number) {
+            self.operation.stopped = false;
             self.require().called = at;
             self.spindle.now = if self.operation.called { SpindleRecord::default() } else { self.spindle.in_start };
             self.operation.changed = true;
@@ -743,6 +749,7 @@ impl<'a> ClState<'a> {
         if !matches!(action, ExpectedAction::BlockSkip { .. }) {
             self.before_call = None;
         }
+        self.operation.stopped = false;
         if self.is_selected(number + opens, reached || begins) {
             let is_motion = matches!(action, ExpectedAction::Motion(_));
             self.items.push(ExpectedItem {

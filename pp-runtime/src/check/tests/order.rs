@@ -373,3 +373,24 @@ fn a_length_guard_that_nobody_has_asked_for_is_missed() {
         assert_told::<HeadTable>("fanuc", Mode::Auto, set_up, &data, &program.replace(&format!("{guard}\n"), ""));
     }
 }
+
+/// With nothing between them, a stop of the CL data and that of the configuration are one.
+#[test]
+fn an_optional_stop_takes_the_place_of_the_one_that_is_configured() {
+    let set_up = "optional_stops = \"operations\"\nretract.distance = 20\n";
+    let stops = |records: &str, tool: u32| {
+        let data = TWO_OPERATIONS.replace("LOADTL/2\n", &format!("{records}LOADTL/{tool}\n"));
+        let program = posted_right::<Mill>("fanuc", Mode::Axes, set_up, &data);
+        let twice = program.replace("M1\n", "M1\nM1\n");
+        if twice != program {
+            assert_told::<Mill>("fanuc", Mode::Axes, set_up, &data, &twice);
+        }
+        program.matches("\nM1\n").count()
+    };
+    assert_eq!([stops("", 2), stops("OPSTOP\n", 2), stops("OPSTOP\n", 1), stops("STOP\n", 1)], [1, 1, 1, 1]);
+    let after = TWO_OPERATIONS.replace("LOADTL/2\n", "LOADTL/2\nOPSTOP\n");
+    // With the next tool in the spindle it is another stop.
+    assert_eq!(posted_right::<Mill>("fanuc", Mode::Axes, set_up, &after).matches("\nM1\n").count(), 2);
+    let same = TWO_OPERATIONS.replace("LOADTL/2\n", "LOADTL/1\nOPSTOP\n");
+    assert_eq!(posted_right::<Mill>("fanuc", Mode::Axes, set_up, &same).matches("\nM1\n").count(), 1);
+}

@@ -63,3 +63,61 @@ tools = { 1 = { length = 93.0 } }\n";
         assert_told::<HeadTable>(control, Mode::Axes, set_up, data, &without);
     }
 }
+
+/// Coolant that has run through the spindle drains before the tool is changed.
+#[test]
+fn a_tool_is_changed_after_coolant_through_the_spindle_has_run_out() {
+    let set_up =
+        "retract.distance = 20\ncoolant.through_dwell = 2.5\ncontrol.coolant = { through = [\"M88\", \"M89\"] }\n";
+    let data = "UNITS/MM\nTOOL PATH/A,TOOL,T1\nLOADTL/1\nSPINDL/RPM,2000,CLW\nCOOLNT/THRU\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,0,50\n\
+                GOTO/0,0,0\nGOTO/20,0,0\nCOOLNT/OFF\nGOTO/20,5,0\nTOOL PATH/B,TOOL,T2\nLOADTL/2\nSPINDL/RPM,1000,CLW\nRAPID\n\
+                GOTO/0,9,50\nGOTO/0,9,2\nGOTO/20,9,2\nTOOL PATH/C,TOOL,T3\nLOADTL/3\nSPINDL/RPM,1000,CLW\nRAPID\nGOTO/0,9,50\n\
+                GOTO/0,9,2\nGOTO/20,9,2\n";
+    for (control, dwell, change) in
+        [("fanuc", "G4 P2500\n", "T2 M6"), ("haas", "G04 P2.5\n", "T2 M06"), ("siemens", "G4 F2.5\n", "T2\n")]
+    {
+        let program = posted_right::<Mill>(control, Mode::Axes, set_up, data);
+        assert!(program.contains(&format!("{dwell}{change}")), "{control}: {program}");
+        // The next tool has cut dry.
+        assert_eq!(program.matches(dwell).count(), 1, "{control}: {program}");
+        assert_told::<Mill>(control, Mode::Axes, set_up, data, &program.replace(dwell, ""));
+    }
+}
+
+/// Where the CL data leads to the part, no approach of the post comes before it.
+#[test]
+fn an_approach_of_no_length_ends_at_the_first_point() {
+    let set_up = "retract.distance = 20\napproach.distance = 0\n";
+    let data = "UNITS/MM\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\nGOTO/5,6,50,0,0.6,0.8\nRAPID\nGOTO/5,9,54\n\
+                GOTO/5,0,42\nGOTO/20,0,42\n";
+    for (control, mode) in [("fanuc", Mode::Axes), ("heidenhain", Mode::Plane), ("siemens", Mode::Tcp)] {
+        posted_right::<Tables>(control, mode, set_up, data);
+    }
+    let cut = data.replace("RAPID\nGOTO/5,6,50", "GOTO/5,6,50");
+    let refused = posted::<Tables>("fanuc", Mode::Axes, set_up, &cut).expect_err("a rapid would lead to a cut");
+    assert!(refused[0].text.contains("is a cut"), "{}", refused[0].text);
+    // A program of another post, which does that.
+    let near = "retract.distance = 20\napproach.distance = 0.001\n";
+    let program = posted_right::<Tables>("fanuc", Mode::Axes, near, &cut);
+    let found = again::<Tables>("fanuc", Mode::Axes, set_up, &cut, &program);
+    assert!(found.iter().any(|text| text.contains("the approach leads to the end of a cut")), "{found:?}");
+}
+
+/// Back to the part after a rewind at a feed of its own.
+#[test]
+fn the_tool_comes_back_from_a_rewind_at_its_own_feed() {
+    let around: String = (0..=24).fold(String::new(), |text, step| {
+        let angle = (f64::from(step) * 20.0).to_radians();
+        let (x, y) = (angle.cos(), angle.sin());
+        format!("{text}GOTO/{:.4},{:.4},0,{:.7},{:.7},0.8660254\n", 20.0 * x, 20.0 * y, 0.5 * x, 0.5 * y)
+    });
+    let data = format!(
+        "UNITS/MM\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\nGOTO/20,0,50,0.5,0,0.8660254\n{around}"
+    );
+    let set_up = "retract.distance = 40\nretract.entry_feed = 900\nlimits = { C = [-200, 200] }\n";
+    for control in ["fanuc", "heidenhain", "siemens"] {
+        let program = posted_right::<Tables>(control, Mode::Axes, set_up, &data);
+        assert!(program.contains("F900"), "{control}: {program}");
+        assert_told::<Tables>(control, Mode::Axes, set_up, &data, &program.replace("F900", "F700"));
+    }
+}

@@ -6,6 +6,7 @@ use crate::keys::{Assumed, Bound, Measure, OneOf, YesNo, options};
 use crate::program::Clearance;
 
 use super::keys::{Geometry, HOME, PARK};
+use super::no_dwell;
 
 options! {
     /// Motion between cuts.
@@ -56,6 +57,8 @@ options! {
         /// Rewind of rotary axes in a cut: "leave" (out along the tool axis and back), or "follow" (the tip stays in
         /// place, and the tool swings about it in the part).
         rewind: Rewind = Rewind::Leave, key("retract.rewind", OneOf(&Rewind::NAMES));
+        /// Feed at which the tool comes back to the part after a rewind; without it that of the cut.
+        entry_feed_mm_per_min: Option<f64> = None, key("retract.entry_feed", Measure::length(Bound::Positive), "2000.0");
         /// Coolant off while the rotary axes are rewound out of the part.
         rewind_dry: bool = false, key("retract.rewind_dry", YesNo);
     }
@@ -64,8 +67,17 @@ options! {
 options! {
     /// Approach to the part.
     pub struct Approach in "approach" {
-        /// Distance of the approach point from the first point, along the tool axis.
-        distance_mm: f64 = 50.0, key("approach.distance", Measure::length(Bound::Positive));
+        /// Distance of the approach point from the first point, along the tool axis. 0 where the CL data itself leads to the part,
+        /// with a rapid as the first motion of each operation.
+        distance_mm: f64 = 50.0, key("approach.distance", Measure::length(Bound::NotNegative));
+    }
+}
+
+options! {
+    /// Coolant around tool changes.
+    pub struct CoolantOptions in "coolant" {
+        /// Dwell before a tool change after coolant through the spindle, seconds.
+        through_dwell_s: f64 = 0.0, key("coolant.through_dwell", Measure::plain(Bound::NotNegative).unless(no_dwell));
     }
 }
 

@@ -17,11 +17,13 @@ pub(crate) struct CoolantState {
     request: Coolant,
     /// As written; `None` if unknown.
     written: Option<Coolants>,
+    /// Coolant through the spindle has been on since the last tool change.
+    drains: bool,
 }
 
 impl Default for CoolantState {
     fn default() -> Self {
-        Self { request: Coolant::Off, written: None }
+        Self { request: Coolant::Off, written: None, drains: false }
     }
 }
 
@@ -34,6 +36,11 @@ impl CoolantState {
     /// Forgets the state.
     pub(crate) fn forget(&mut self) {
         self.written = None;
+    }
+
+    /// Whether coolant through the spindle has been on since the last call.
+    pub(crate) fn take_drains(&mut self) -> bool {
+        std::mem::take(&mut self.drains)
     }
 
     /// Whether coolant is known to be on.
@@ -81,6 +88,7 @@ impl CoolantState {
                 output.step(&Step::CoolantOff)?;
             }
             self.written = Some(kinds);
+            self.drains |= kinds.kinds().any(|kind| matches!(kind, Coolant::Through | Coolant::ThroughAt(_)));
             for kind in kinds.kinds() {
                 output.step(&Step::Coolant { kind })?;
             }

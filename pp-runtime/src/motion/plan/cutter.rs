@@ -182,7 +182,9 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'
     let from = *planner.mover.here();
     let step = in_program(planner, &from, motion);
     let unit = planner.mover.placer().unit_mm();
-    let flat = |step: &Vector3<f64>| step.z.abs() <= (0.5 * unit).max(IN_CUTTER_PLANE);
+    // By the words, or by the CL data: coarse rotary words tilt the plane of the program.
+    let along = (motion.pose.tip - from.pose.tip).dot(&motion.pose.axis);
+    let flat = |step: &Vector3<f64>| math::smaller(step.z.abs(), along.abs()) <= (0.5 * unit).max(IN_CUTTER_PLANE);
     let line = |step: &Vector3<f64>| !motion.rapid && flat(step) && math::hypot(step.x, step.y) >= unit;
     match planner.cutter.state {
         Compensating::Off => {}

@@ -22,6 +22,8 @@ pub(crate) struct Position {
     rotary_known: bool,
     /// The CL data has moved the tool since the last stop.
     worked: bool,
+    /// The stop of the configuration is the last that has been written.
+    stopped: bool,
     /// The same before the blocks that may be skipped.
     worked_before_skip: bool,
     /// The retract axis is at its retract position.
@@ -46,6 +48,7 @@ impl Position {
             known: false,
             rotary_known: false,
             worked: false,
+            stopped: false,
             worked_before_skip: false,
             retracted: false,
             prepared: false,
@@ -86,6 +89,7 @@ impl Position {
     /// They are in force, at the machine retract.
     pub(crate) fn prepare(&mut self) {
         self.prepared = true;
+        self.stopped = false;
     }
 
     /// Whether the rotary axes are at the angles of the place.
@@ -129,6 +133,7 @@ impl Position {
 
     /// A motion of the CL data has ended here.
     pub(crate) fn arrive(&mut self, place: &AxisPosition) {
+        self.stopped = false;
         self.place = *place;
         self.moved = true;
         self.known = true;
@@ -156,12 +161,19 @@ impl Position {
         self.rotary_known = false;
         self.retracted = false;
         self.prepared = false;
+        self.stopped = false;
     }
 
-    /// Forgets the position at a stop: what has moved needs no further one.
-    pub(crate) fn stop(&mut self) {
+    /// Forgets the position at a stop: what has moved needs no further one. `configured`: the configuration asks for it.
+    pub(crate) fn stop(&mut self, configured: bool) {
         self.forget();
         self.worked = false;
+        self.stopped = configured;
+    }
+
+    /// Whether an optional stop of the CL data is the one of the configuration, which has just been written.
+    pub(crate) fn take_stop(&mut self) -> bool {
+        std::mem::take(&mut self.stopped)
     }
 
     /// Blocks that may be skipped begin or end here; skipped, a stop among them has not been.

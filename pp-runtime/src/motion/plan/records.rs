@@ -118,8 +118,9 @@ impl<S: Sink> Records<'_, '_, S> {
 
     fn interruption(&mut self, interruption: Interruption<'_>) -> Planned {
         match interruption {
-            Interruption::Stop => self.stop(false),
-            Interruption::OptionalStop => self.stop(true),
+            Interruption::Stop => self.stop(false, false),
+            Interruption::OptionalStop if self.planner.mover.position_mut().take_stop() => Ok(()),
+            Interruption::OptionalStop => self.stop(true, false),
             Interruption::BlockSkip { on } => self.planner.skip_blocks(on),
             Interruption::Probe(blocks) => self.probe(blocks),
             Interruption::Insert(text, place) => self.shop_block(text, place),
@@ -233,7 +234,7 @@ impl<S: Sink> Records<'_, '_, S> {
             OptionalStops::Operations => true,
         };
         let worked = self.planner.mover.position().has_worked() && self.planner.selection.next_is_written();
-        if wanted && worked { self.stop(true) } else { Ok(()) }
+        if wanted && worked { self.stop(true, true) } else { Ok(()) }
     }
 
     /// TOOL PATH.
@@ -286,8 +287,8 @@ impl<S: Sink> Records<'_, '_, S> {
         LoadedTool::resolve(call, planner.policy, needed, planner.abilities.registers)
     }
 
-    /// STOP and OPSTOP.
-    fn stop(&mut self, optional: bool) -> Planned {
+    /// STOP and OPSTOP, and the optional stop of the configuration.
+    fn stop(&mut self, optional: bool, configured: bool) -> Planned {
         let planner = &mut *self.planner;
         let retract = planner.policy.options.stop_retract;
         // After the stop the retract axis moves from the position of the tool, so a tilted tool is led out before.
@@ -309,7 +310,7 @@ impl<S: Sink> Records<'_, '_, S> {
             planner.spindle.forget();
         }
         planner.coolant.forget();
-        planner.mover.position_mut().stop();
+        planner.mover.position_mut().stop(configured);
         Ok(())
     }
 

@@ -95,7 +95,8 @@ fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, word
     planner.apply_coolant()?;
     planner.mover.position_mut().forget_retract();
     planner.mover.position_mut().go_to(&above);
-    planner.mover.feed_block(&turned, planner.rate(motion.feed)?)?;
+    let entry = planner.policy.options.retract.entry_feed_mm_per_min;
+    planner.mover.feed_block(&turned, entry.map_or_else(|| planner.rate(motion.feed), Ok)?)?;
     planner.mover.position_mut().go_to(&turned);
     planner.mover.position_mut().forget_lead_out();
     Ok(())

@@ -273,6 +273,9 @@ impl<S: Sink> Planner<'_, S> {
         if change && (goes || self.spindle.may_run()) {
             self.spindle.stop(self.mover.output_mut())?;
         }
+        if change {
+            self.drain_spindle()?;
+        }
         if change && goes {
             self.mover.take_axes_to_tool_change()?;
         }
@@ -295,6 +298,18 @@ impl<S: Sink> Planner<'_, S> {
         }
         if self.tooling.take_end() && !change {
             self.tool_routine(tool.number, ToolRoutine::Start)?;
+        }
+        Ok(())
+    }
+
+    /// Waits until coolant has run out of the spindle, before its tool is changed.
+    fn drain_spindle(&mut self) -> std::io::Result<()> {
+        let seconds = self.policy.options.coolant.through_dwell_s;
+        if self.coolant.take_drains() && seconds > 0.0 {
+            let output = self.mover.output_mut();
+            output.cancel_inverse_time()?;
+            output.times_mut().wait(seconds / 60.0);
+            output.step(&Step::Dwell { seconds })?;
         }
         Ok(())
     }
@@ -446,6 +461,10 @@ impl<S: Sink> Planner<'_, S> {
     /// Steps 4 to 8.
     fn approach(&mut self, ahead: MotionAndNext<'_>, planned: Option<RotaryTarget>) -> Planned {
         let first = &Move { pose: ahead.above.unwrap_or(ahead.motion.pose), ..*ahead.motion };
+        if self.policy.options.approach.distance_mm <= 0.0 && !first.rapid {
+            let fault = Fault::new("`approach.distance` = 0, and the motion to which this approach leads is a cut");
+            return Err(fault.help("program a rapid to a point above it, or give a distance").into());
+        }
         self.mover.begin_approach();
         let place = self.mover.place(&first.pose, false, planned)?;
         let (place, frame) = self.mover.framed_at(place)?;
