@@ -261,6 +261,8 @@ pub struct LinkPolicy {
     pub follows_links: bool,
     /// Operations follow each other without a retract.
     pub direct: bool,
+    /// So they do with the same tool and tool axis, where a rapid leads over the clearance geometry.
+    pub over_clearance: bool,
     /// Largest rotation of a rotary axis in a rapid at the part, rad.
     pub index_angle_rad: f64,
     /// Coordinate of the retract axis at the machine retract, mm.

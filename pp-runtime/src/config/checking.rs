@@ -168,6 +168,8 @@ impl Config {
             rapid_feed_mm_per_min: motion.rapids.rapid_feed_mm_per_min,
             follows_links: motion.rapids.links == Links::Follow,
             direct: motion.rapids.transition == Transition::Direct,
+            over_clearance: motion.rapids.transition == Transition::Auto
+                && rotaries_of(machine.axes(), Side::Tool).next().is_none(),
             index_angle_rad: motion.rapids.index_angle_rad,
             retract_mm: motion.retract.position_mm(),
             retract: match (control.retract_form(codes), control.own_retract()) {

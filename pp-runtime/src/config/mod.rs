@@ -108,6 +108,13 @@ impl Config {
         let mut config = self.clone();
         let lacking = take_out_lacking(control, &mut config.control, &mut config.motion.operations);
         config.left_out.extend(lacking);
+        let blocks = &config.control.program;
+        if config.motion.rapids.transition == Transition::Auto
+            && !(blocks.operation_start.is_empty() && blocks.operation_end.is_empty())
+        {
+            // They need the machine retract.
+            config.motion.rapids.transition = Transition::Safe;
+        }
         let declared = config.control.effects.iter().map(|(text, effect)| (text.as_str(), *effect));
         let stands = declared.chain(control.effects().iter().copied()).filter(|(_, effect)| effect.needs_standstill());
         let stands = stands.map(|(text, effect)| (text, Some(effect.name())));

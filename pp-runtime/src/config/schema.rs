@@ -59,6 +59,7 @@ mod tests {
         for (table, key) in keys {
             let mut path = table.split('.').filter(|part| !part.is_empty()).chain([key]);
             let found = path.try_fold(&schema, |schema, part| {
+                let schema = schema.get("items").unwrap_or(schema);
                 let numbered = || schema.get("patternProperties")?.get("^[1-9][0-9]*$");
                 let named = || schema.get("additionalProperties").filter(|any| any.is_object());
                 let one = || schema.get("anyOf")?.as_array()?.iter().find_map(|one| one.get("properties")?.get(part));

@@ -191,7 +191,7 @@ fn an_unknown_key_without_a_near_one_lists_what_is_known() {
         faults("[retract]\nspeed = 3\n"),
         [
             "2:1: unknown key `retract.speed` | known keys are `position`, `home_on_indexing`, `xy`, `tool_change_position`, `distance`, `clearance`, \
-         `rewind`, `rewind_dry`, `method`"
+         `rewind`, `entry_feed`, `rewind_dry`, `method`"
         ]
     );
 }
@@ -293,7 +293,7 @@ fn numbers_outside_their_range_are_refused() {
     assert_eq!(faults("part_rotation = [1e300, 0, 0]\n"), [format!("1:18: {angle}")]);
     assert_eq!(faults("[speeds]\nX = 1e-300\n"), ["2:5: at least 0.000000001 is needed here"]);
     assert_eq!(faults("[speeds]\nX = 1e300\n"), ["2:5: at most 1000000000 is needed here"]);
-    assert_eq!(faults("[approach]\ndistance = 0\n"), ["2:12: a number above zero is needed here"]);
+    assert_eq!(faults("[approach]\ndistance = -1\n"), ["2:12: a number that is not negative is needed here"]);
     assert_eq!(faults("[formats]\ninverse_time = 3\n"), ["2:16: a whole number from 6 to 12 is needed here"]);
     assert_eq!(faults("[tools.100000]\n").len(), 1);
     assert_eq!(faults("[tools.07]\n").len(), 1);

@@ -3,13 +3,13 @@
 
 use std::rc::Rc;
 
-use super::super::geometry::{ArcPath, PathShape, bezier, tool_pose};
+use super::super::geometry::{ArcPath, PathShape, bezier, depth_of_line, tool_pose};
 use super::super::policy::{CheckPolicy, OperationSelection, StopRule};
 use super::super::read::{LengthRegisters, Side, coolant};
 use super::hole::{ExpectedHole, HoleStep, unfolded};
 use super::operations::{self, RulesInForce};
 use super::{ClMotion, ExpectedAction, ExpectedItem, ExpectedMessage, Kept, Required, RequiredSmoothing, SpindleState};
-use crate::check::tolerances::{IN_CUTTER_PLANE, SAME_POSE};
+use crate::check::tolerances::{IN_CUTTER_PLANE, SAME_AXIS, SAME_POSE};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
 use crate::program::{
@@ -63,6 +63,8 @@ pub(super) struct ClState<'a> {
     before_skip: (bool, Option<u32>),
     /// The tool before the blocks that may be skipped, until a tool is called after them.
     tool_if_skipped: Option<u32>,
+    /// The last call of a tool.
+    last_record: Option<ToolCall>,
     /// State before the call of a tool that nothing has been carried out with.
     before_call: Option<Rc<Required>>,
     /// Blocks of the shop that come before the approach to the next motion.
@@ -116,6 +118,8 @@ struct Operation {
     starts: bool,
     /// The position of the machine is known.
     position_known: bool,
+    /// Nothing but names, and calls of the tool in the spindle, has come since the last motion, with a clearance geometry.
+    linked: bool,
     /// Something has moved since the last stop.
     worked: bool,
     /// The last stop is that of the configuration, and nothing has come since.
@@ -155,6 +159,7 @@ impl<'a> ClState<'a> {
             number: 0,
             starts: true,
             position_known: false,
+            linked: false,
             worked: false,
             stopped: false,
             called: false,
@@ -188,6 +193,7 @@ impl<'a> ClState<'a> {
             skippable: false,
             before_skip: (false, None),
             tool_if_skipped: None,
+            last_record: None,
             before_call: None,
             at_approach: Vec::new(),
         }
@@ -393,6 +399,7 @@ impl<'a> ClState<'a> {
 
     fn begin_operation(&mut self, at: Location, name: &[u8]) {
         self.stop_after_operation(at, false);
+        self.link(true);
         self.begin();
         self.goes_on = false;
         let name = String::from_utf8_lossy(name);
@@ -433,6 +440,21 @@ impl<'a> ClState<'a> {
         self.require().radius_register = given.or(request.register).unwrap_or(tool);
     }
 
+    /// Another operation begins; `same`: with the tool of the last one.
+    fn link(&mut self, same: bool) {
+        let operation = &mut self.operation;
+        let first = !operation.starts || operation.linked;
+        operation.linked = first && same && self.policy.links.over_clearance && self.required.clearance.is_some();
+    }
+
+    /// Whether the tool goes on to an operation without a retract: at rapid, with the same tool axis, over the clearance geometry.
+    fn links_to(&self, motion: &Move) -> bool {
+        let (Some(from), Some(clearance)) = (self.here, self.required.clearance) else { return false };
+        let axes = from.axis.into_inner() - motion.pose.axis.into_inner();
+        let depth_mm = depth_of_line(&clearance, &from.tip.coords, &motion.pose.tip.coords);
+        self.operation.linked && motion.rapid && self.hole.is_none() && axes.norm() <= SAME_AXIS && depth_mm <= 0.0
+    }
+
     /// The next motion begins an operation.
     fn begin(&mut self) {
         if !self.operation.starts {
@@ -446,6 +468,7 @@ impl<'a> ClState<'a> {
     fn begin_anew(&mut self) {
         self.begin();
         self.operation.position_known = false;
+        self.operation.linked = false;
     }
 
     /// The same, and no cut goes on from where it was.
@@ -484,7 +507,14 @@ impl<'a> ClState<'a> {
             let if_skipped = self.tool_if_skipped.take();
             self.stop_after_operation(at, other(self.required.tool) || if_skipped.is_some() && other(if_skipped));
         }
-        self.begin_elsewhere();
+        let again = self.last_record.replace(*call) == Some(*call);
+        if again && self.policy.links.over_clearance && self.required.clearance.is_some() {
+            self.link(true);
+            self.goes_on = false;
+            self.begin();
+        } else {
+            self.begin_elsewhere();
+        }
         self.process_due = true;
         self.before_call.get_or_insert_with(|| Rc::clone(&self.required));
         let given = self.policy.set_up.tools.get(&call.number);
@@ -557,11 +587,14 @@ impl<'a> ClState<'a> {
         if operation.starts && self.required.tool.is_none() && motion.rapid && !self.head {
             return;
         }
+        let operation = &self.operation;
+        let stays = operation.position_known && !operation.changed;
+        let continues = stays && (self.policy.links.direct || operation.starts && self.links_to(motion));
+        let starts = operation.starts && !continues;
         // A hole is one statement, which no cut goes on from.
         self.goes_on = self.hole.is_none();
         self.here = Some(motion.pose);
-        let continues = self.policy.links.direct && operation.position_known && !operation.changed;
-        let starts = operation.starts && !continues;
+        let operation = &self.operation;
         if operation.starts {
             self.start_operation(at);
         }

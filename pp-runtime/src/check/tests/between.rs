@@ -261,3 +261,49 @@ fn the_middle_of_an_arc_with_another_radius_is_seen() {
         assert!((measured - middle).abs() < 1e-6 * middle + 1e-12, "{angle}: {measured} {middle}");
     }
 }
+
+/// Operations of one tool and one tool axis over a clearance geometry; what comes between them decides.
+#[test]
+fn an_operation_goes_on_over_the_clearance_geometry() {
+    let operations = |between: &str, first: &str| {
+        format!(
+            "UNITS/MM\nTOOL PATH/A,TOOL,T1\nLOADTL/1\nSPINDL/RPM,2000,CLW\nCOOLNT/ON\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,0,60,0,0,1\nRAPID\n\
+             GOTO/0,0,2\nGOTO/0,0,-1\nGOTO/20,0,-1\nRAPID\nGOTO/20,0,60\n{between}RAPID\nGOTO/{first}\nRAPID\nGOTO/0,9,2,0,0,1\n\
+             GOTO/0,9,-1\nGOTO/20,9,-1\nRAPID\nGOTO/20,9,60\n"
+        )
+    };
+    let set_up = "retract.clearance = { plane = 50 }\n";
+    let name = "END-OF-PATH\nTOOL PATH/B,TOOL,T1\n";
+    let again = format!("{name}LOADTL/1\n");
+    let goes_on =
+        [(name, "0,9,60,0,0,1"), (&*again, "0,9,60,0,0,1"), (&*format!("{again}SPINDL/RPM,900,CLW\n"), "0,9,55,0,0,1")];
+    for control in ["fanuc", "haas", "siemens", "linuxcnc", "heidenhain"] {
+        for (between, first) in &goes_on {
+            let data = operations(between, first);
+            let program = posted_right::<Tables>(control, Mode::Axes, set_up, &data);
+            let safe = posted_right::<Tables>(control, Mode::Axes, &format!("transition = \"safe\"\n{set_up}"), &data);
+            let retracts =
+                |program: &str| ["G53", "SUPA", "M91"].iter().map(|code| program.matches(code).count()).sum::<usize>();
+            assert!(retracts(&program) < retracts(&safe), "{control}: {program}");
+            // What goes on is no harm where it is asked to be safe, and the other way round it is.
+            assert_told::<Tables>(control, Mode::Axes, &format!("transition = \"safe\"\n{set_up}"), &data, &program);
+        }
+        let blocks = "program.operation_start = [\"M77\"]\ncontrol.effects = { M77 = \"none\" }\n\
+                      retract.clearance = { plane = 50 }\n";
+        let stays_safe = [
+            // Another tool, another axis, a point in the geometry, a stop, no geometry.
+            (set_up, operations(&format!("{name}LOADTL/2\n"), "0,9,60,0,0,1")),
+            (set_up, operations(name, "0,9,60,0.6,0,0.8")),
+            (set_up, operations(name, "0,9,40,0,0,1")),
+            (set_up, operations(&format!("STOP\n{name}"), "0,9,60,0,0,1")),
+            ("retract.distance = 20\n", operations(name, "0,9,60,0,0,1")),
+            (blocks, operations(name, "0,9,60,0,0,1")),
+        ];
+        for (set_up, data) in &stays_safe {
+            let safe = format!("transition = \"safe\"\n{set_up}");
+            let [auto, safe] = [set_up, &*safe].map(|set_up| posted_right::<Tables>(control, Mode::Axes, set_up, data));
+            let steps = |program: &str| program.lines().filter(|line| !line.starts_with(['(', ';', '*'])).count();
+            assert_eq!(steps(&auto), steps(&safe), "{control}: {auto}");
+        }
+    }
+}

@@ -22,7 +22,10 @@ fn codes_pass_only_if_they_are_allowed() {
     assert_eq!(errors(text).len(), 2);
     assert!(errors(text)[0].contains("AUXFUN is refused: the effect of M10 on the machine is unknown"));
     let found = events_without_places(text, ReadingOptions { auxfun: vec![10], prefun: vec![64], ..mm() });
-    assert_eq!(found[1..], ["Code { letter: 77, number: 10 }", "Code { letter: 71, number: 64 }"]);
+    assert_eq!(
+        found[1..],
+        ["Code { letter: 77, number: 10, place: InOrder }", "Code { letter: 71, number: 64, place: InOrder }"]
+    );
 }
 
 #[test]

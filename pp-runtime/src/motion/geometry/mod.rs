@@ -3,10 +3,12 @@
 mod arc;
 mod circle;
 mod clearance;
+mod clearance_in_force;
 mod path_segment;
 
 pub(crate) use arc::{ArcGeometry, extent};
 pub use circle::{ArcPlane, Circle};
 pub(crate) use circle::{CircleDeviation, NominalCircle, WordGrid};
 pub(crate) use clearance::{distance_to_clear, is_separated, line_enters};
+pub(crate) use clearance_in_force::ClearanceGeometry;
 pub(crate) use path_segment::{PathSegment, angle_between};

@@ -11,8 +11,11 @@ use super::no_dwell;
 options! {
     /// Motion between cuts.
     pub struct RapidOptions {
-        /// Transition between operations: "safe" (retract, rotate, approach) or "direct" (as in the CL data).
-        transition: Transition = Transition::Safe, key("transition", OneOf(&Transition::NAMES));
+        /// Transition between operations: "safe" (retract, rotate, approach), "direct" (as in the CL data) or "auto" (safe where the
+        /// tool, its axis or the set-up changes, where a rotary axis is in the head, and where blocks of the shop come between
+        /// operations; else as in the CL data where the first motion is a rapid that stays out of the clearance geometry, which
+        /// `clearance` or CLEARP states).
+        transition: Transition = Transition::Auto, key("transition", OneOf(&Transition::NAMES));
         /// Rapids in which a rotary axis rotates by more than this are replaced by the safe sequence, if they are no links.
         index_angle_rad: f64 = 1_f64.to_radians(), key("index_angle", Measure::angle(Bound::NotNegative));
         /// Links, the rapids inside an operation that rotate the tool between cuts that rotate it as well: "follow" (as in the
@@ -116,10 +119,12 @@ pub enum Transition {
     Safe,
     /// As in the CL data.
     Direct,
+    /// As in the CL data over the clearance geometry, with the same tool and tool axis, else safe.
+    Auto,
 }
 
 impl Transition {
-    const NAMES: [(&'static str, Self); 2] = [("safe", Self::Safe), ("direct", Self::Direct)];
+    const NAMES: [(&'static str, Self); 3] = [("safe", Self::Safe), ("direct", Self::Direct), ("auto", Self::Auto)];
 }
 
 /// Rewind of the rotary axes where no course avoids it.

@@ -7,7 +7,6 @@
 mod abilities;
 mod arcs;
 mod clamps;
-mod clearance;
 mod coolant;
 mod cutter;
 mod feed;
@@ -58,7 +57,7 @@ pub use proof::{ProofProgram, Sweep};
 pub use statistics::{ChordedArcs, Statistics, Surface};
 pub use threads::{Thread, Threads};
 
-use clearance::ClearanceGeometry;
+use crate::motion::geometry::ClearanceGeometry;
 use coolant::CoolantState;
 use cutter::CutterCompensation;
 use feed::Feeds;
@@ -87,6 +86,8 @@ pub struct Planner<'a, S> {
     usable: UsableModes,
     /// Largest feed of the operation, where one is set.
     feed_cap: Option<FeedCap>,
+    /// The operation that begins may continue from the end of the last one.
+    linked: bool,
     /// An operation has begun, and not ended.
     in_operation: bool,
     /// Blocks of the shop that come before the approach to the next motion.
@@ -135,6 +136,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             modes: ModeFollower::new(StretchModes::all(policy.options.mode_of_all().unwrap_or_default())),
             usable: UsableModes::default(),
             feed_cap: None,
+            linked: false,
             in_operation: false,
             at_approach: Vec::new(),
         }
@@ -280,6 +282,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     /// The first motion of an operation.
     fn begin(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         records::come_to_approach(self)?;
+        self.linked = index.begins == Begins::Linked;
         self.mover.output_mut().set_reason(BlockReason::Record);
         self.modes.reach(index.stretch);
         if self.continues() {

@@ -95,7 +95,7 @@ impl<S: Sink> Planner<'_, S> {
         }
         let rapids = &self.policy.options.rapids;
         let (far, at_feed) = (self.mover.indexes(place), rapids.rapid == Rapid::Feed);
-        let safe = rapids.transition == Transition::Safe;
+        let safe = rapids.transition != Transition::Direct;
         if !(far || at_feed && self.mover.rotates(place)) {
             return match self.may_enter_clearance(place) {
                 true => RapidPath::Sequence,

@@ -240,7 +240,7 @@ impl<S: Sink> Records<'_, '_, S> {
     /// TOOL PATH.
     fn name_operation(&mut self, name: &[u8]) -> Planned {
         self.stop_after_operation(false)?;
-        if self.planner.policy.options.rapids.transition == Transition::Safe {
+        if !self.planner.may_stay() {
             self.leave()?;
             // The retract belongs to the operation before, so its blocks come before the name of this one.
             if self.planner.retracts_before_restart() {
@@ -260,7 +260,10 @@ impl<S: Sink> Records<'_, '_, S> {
         let (next, current) = (self.planner.tooling.next(), self.planner.tooling.current());
         let other = next.or(current).is_none_or(|known| known.number != tool.number);
         self.stop_after_operation(other || self.planner.tooling.changes_if_skipped(tool.number))?;
-        self.leave()?;
+        let direct = self.planner.policy.options.rapids.transition == Transition::Direct;
+        if other || direct || !self.planner.may_stay() {
+            self.leave()?;
+        }
         if let Some(left_out) = next.filter(|next| next.number != tool.number) {
             let text = format!(
                 "T{} is called, and T{} before anything is written: the first stays out of the program",

@@ -406,7 +406,7 @@ impl<S: Sink> Planner<'_, S> {
     fn start_directly(&mut self, ahead: MotionAndNext<'_>, planned: Option<RotaryTarget>) -> Planned {
         let first = ahead.motion;
         let place = self.mover.place(&first.pose, !first.rapid, planned)?;
-        if self.mover.leaves_plane(&place) {
+        if self.mover.leaves_plane(&place) || first.rapid && self.may_enter_clearance(&place) {
             return self.index(MotionAndNext { next: &Next::None, ..ahead }, planned);
         }
         let before = self.mover.position().pose();
@@ -443,9 +443,17 @@ impl<S: Sink> Planner<'_, S> {
 
     /// Whether an operation may continue from the end of the last one.
     pub(crate) fn continues(&self) -> bool {
-        self.mover.position().is_known()
-            && self.policy.options.rapids.transition == Transition::Direct
-            && !self.modes.changes()
+        self.linked && self.mover.position().is_known() && !self.modes.changes()
+    }
+
+    /// Whether the tool stays where it is at the name of an operation and at a call of the tool in the spindle: the first motion
+    /// decides.
+    pub(crate) fn may_stay(&self) -> bool {
+        match self.policy.options.rapids.transition {
+            Transition::Safe => false,
+            Transition::Direct => true,
+            Transition::Auto => !self.mover.placer().has_rotary_head() && self.clearance.in_force().is_some(),
+        }
     }
 
     /// Sets the mode of the stretch that begins; the tool is at the machine retract.

@@ -213,8 +213,12 @@ impl Expansion<'_> {
                 }
                 self.record(&Event::Function(MachineFunction::Tolerance(Some(self.curves.tolerance()))), to)
             }
-            Event::NewStart(NewStart::Tool(_)) => {
-                self.operations.call_tool();
+            Event::NewStart(NewStart::Tool(call)) => {
+                self.operations.call_tool(call);
+                self.boundary(event, to)
+            }
+            Event::NewStart(NewStart::SetUp(_)) => {
+                self.operations.change_set_up();
                 self.boundary(event, to)
             }
             Event::NewStart(NewStart::Operation(name)) => {
@@ -229,6 +233,10 @@ impl Expansion<'_> {
             Event::Interruption(_) => {
                 self.operations.interrupt();
                 self.boundary(event, to)
+            }
+            Event::Reference(ReferenceGeometry::ClearancePlane(plane)) => {
+                self.operations.set_clearance(*plane);
+                self.record(event, to)
             }
             Event::Function(_) | Event::Reference(_) | Event::Text(..) => self.record(event, to),
         }

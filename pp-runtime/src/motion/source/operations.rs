@@ -6,19 +6,20 @@
 //! motions are never in one stretch. Within a stretch the tool axis is constant, or changes at feed.
 
 use crate::kinematics::{AnyMachine, Pose, Side};
+use crate::motion::geometry::{ClearanceGeometry, line_enters};
 use crate::motion::options::{Policy, Transition};
 use crate::motion::place::rotaries_of;
 use crate::motion::tolerances::{HELD_AXIS, SAME_AXIS};
 use crate::nalgebra::UnitVector3;
-use crate::program::{Hole, Move};
+use crate::program::{ClearancePlane, Hole, Move, ToolCall};
 
 /// Relation of a motion to the one before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Begins {
     /// The motion belongs to the same operation.
     Nothing,
-    /// The motion begins an operation that may continue from the end of the last one: `transition = "direct"`, and no
-    /// interruption.
+    /// The motion begins an operation that may continue from the end of the last one: no interruption, and `transition` permits
+    /// it.
     Linked,
     /// The motion begins an operation that starts with the safe sequence.
     Operation,
@@ -51,11 +52,24 @@ enum Since {
     NewStart,
 }
 
+/// Whether an operation may continue from the end of the last one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Linking {
+    Never,
+    /// As in the CL data.
+    Always,
+    /// With the same tool and tool axis, over the clearance geometry.
+    OverClearance,
+}
+
 /// Counts the motions of a program.
 #[derive(Debug, Clone)]
 pub(crate) struct MotionCounter {
-    /// An operation may continue from the end of the last one: `transition = "direct"`.
-    links_operations: bool,
+    links: Linking,
+    /// Clearance geometry in force, and that of the configuration.
+    clearance: ClearanceGeometry,
+    /// The last call of a tool.
+    last_call: Option<ToolCall>,
     /// The tool side has rotary axes: no rapid may be left out, since the tool length moves the axes.
     rotary_head: bool,
     /// The tool that is called before the first motion if the CL data calls none.
@@ -71,6 +85,8 @@ pub(crate) struct MotionCounter {
     stretch: u64,
     /// End of the last motion.
     end: Option<Pose>,
+    /// Where the tool is after it: above a hole.
+    here: Option<Pose>,
     /// What has come since.
     since: Since,
     /// Tool axis at the begin of the stretch.
@@ -83,9 +99,16 @@ pub(crate) struct MotionCounter {
 
 impl MotionCounter {
     pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>) -> Self {
+        let rotary_head = rotaries_of(machine.axes(), Side::Tool).next().is_some();
         Self {
-            links_operations: policy.options.rapids.transition == Transition::Direct,
-            rotary_head: rotaries_of(machine.axes(), Side::Tool).next().is_some(),
+            links: match policy.options.rapids.transition {
+                Transition::Direct => Linking::Always,
+                Transition::Auto if !rotary_head => Linking::OverClearance,
+                Transition::Auto | Transition::Safe => Linking::Never,
+            },
+            clearance: ClearanceGeometry::new(policy.options.retract.clearance),
+            last_call: None,
+            rotary_head,
             assumed_tool: policy.options.defaults.tool,
             called: false,
             passed_over: false,
@@ -94,6 +117,7 @@ impl MotionCounter {
             operation: 0,
             stretch: 0,
             end: None,
+            here: None,
             since: Since::NoNewStart,
             stretch_axis: None,
             has_rotated: false,
@@ -114,12 +138,33 @@ impl MotionCounter {
     /// Counts TOOL PATH.
     pub(crate) fn name(&mut self) {
         if self.since == Since::NoNewStart {
-            self.since = if self.links_operations { Since::NewStart } else { Since::Name };
+            self.since = if self.links == Linking::Always { Since::NewStart } else { Since::Name };
         }
+        let may_link = match self.links {
+            Linking::Never => false,
+            Linking::Always => true,
+            Linking::OverClearance => self.clearance.in_force().is_some(),
+        };
+        self.link(may_link);
+    }
+
+    /// Another operation begins, which may continue from the end of the last one or not.
+    fn link(&mut self, may_link: bool) {
         self.begins = match self.begins {
-            Begins::Nothing | Begins::Linked if self.links_operations => Begins::Linked,
+            Begins::Nothing | Begins::Linked if may_link => Begins::Linked,
             Begins::Nothing | Begins::Linked | Begins::Operation => Begins::Operation,
         };
+    }
+
+    /// Counts CLEARP.
+    pub(crate) fn set_clearance(&mut self, plane: ClearancePlane) {
+        self.clearance.set_plane(plane);
+    }
+
+    /// Counts another set-up.
+    pub(crate) fn change_set_up(&mut self) {
+        self.clearance.change_set_up();
+        self.leave();
     }
 
     /// Counts a record after which the position of the machine, or its state, is unknown.
@@ -134,10 +179,19 @@ impl MotionCounter {
     }
 
     /// Counts a tool record.
-    pub(crate) fn call_tool(&mut self) {
+    pub(crate) fn call_tool(&mut self, call: &ToolCall) {
         self.assumed_tool = None;
         self.called = true;
-        self.leave();
+        let again = self.last_call.replace(*call) == Some(*call);
+        self.since = Since::NewStart;
+        self.link(again && self.links == Linking::OverClearance && self.clearance.in_force().is_some());
+    }
+
+    /// Whether a rapid leads from the end of the last operation over the clearance geometry, with the same tool axis.
+    fn leads_over_clearance(&self, end: &Pose) -> bool {
+        let (Some(from), Some(clearance)) = (self.here, self.clearance.in_force()) else { return false };
+        let axes = from.axis.into_inner() - end.axis.into_inner();
+        axes.norm() <= SAME_AXIS && !line_enters(clearance, &from.tip, &end.tip, 0.0)
     }
 
     /// Where the last motion ended, if all that has come since is the name of an operation.
@@ -158,7 +212,7 @@ impl MotionCounter {
     /// Takes the tool that must be called before this motion, if any.
     pub(crate) fn take_assumed_tool(&mut self) -> Option<u32> {
         let number = self.assumed_tool?;
-        self.call_tool();
+        self.call_tool(&ToolCall { number, ..ToolCall::default() });
         Some(number)
     }
 
@@ -188,7 +242,9 @@ impl MotionCounter {
 
     /// Counts a hole: a rapid leads to it.
     pub(crate) fn hole(&mut self, hole: &Hole) -> MotionIndex {
-        self.count(&hole.top, true, true)
+        let index = self.count(&hole.top, true, true);
+        self.here = Some(hole.level(hole.return_mm));
+        index
     }
 
     #[inline]
@@ -196,7 +252,13 @@ impl MotionCounter {
         let differs = |before: UnitVector3<f64>, most: f64| {
             (before.into_inner() - end.axis.into_inner()).norm_squared() > most * most
         };
-        let begins = std::mem::replace(&mut self.begins, Begins::Nothing);
+        let begins = match std::mem::replace(&mut self.begins, Begins::Nothing) {
+            Begins::Linked if self.links == Linking::OverClearance => {
+                if air && !hole && self.leads_over_clearance(end) { Begins::Linked } else { Begins::Operation }
+            }
+            begins => begins,
+        };
+        self.here = Some(*end);
         let before = self.end.replace(*end).map(|end| end.axis);
         self.since = Since::NoNewStart;
         let first = begins != Begins::Nothing;

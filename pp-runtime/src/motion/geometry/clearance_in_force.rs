@@ -3,7 +3,7 @@
 use crate::kinematics::Pose;
 use crate::program::{Clearance, ClearancePlane};
 
-use crate::motion::geometry::distance_to_clear;
+use super::distance_to_clear;
 
 /// The clearance geometry in force.
 #[derive(Debug, Clone, Copy)]
