@@ -29,6 +29,7 @@ mod operations;
 mod own_control;
 mod plane_guards;
 mod random_programs;
+mod records;
 mod restart;
 mod set_ups;
 mod settings;

@@ -145,6 +145,10 @@ impl Comparison<'_> {
             let Some(item) = self.progress.next() else { return Ok(false) };
             let motion = match &item.action {
                 ExpectedAction::Motion(motion) => motion,
+                // It may come after the retract along the tool axis.
+                ExpectedAction::Dwell { between: true, .. } if self.may_lead_out(cutting, block, end) => {
+                    return Ok(false);
+                }
                 ExpectedAction::Dwell { .. } => {
                     self.missing_dwells(current, true);
                     continue;
@@ -245,6 +249,9 @@ impl Comparison<'_> {
         let right_state = judged || self.compare_state(current, &part.required);
         let stopped = if part.rapid { None } else { self.functions.cut_with_spindle_off() };
         self.found_any(current, stopped);
+        if std::mem::take(&mut self.lifted) && !part.rapid {
+            self.found(current, "the tool has come to the level of a cycle, and this is none");
+        }
         if part.required.side != Side::None {
             let unguarded = self.functions.cut_with_radius(&self.rules);
             self.found_any(current, unguarded);
@@ -790,8 +797,11 @@ impl Comparison<'_> {
                 self.rules.is_at(end, &motion.to) || !self.is_needless(*index, cutting.here.as_ref())
             })
             .is_some_and(|(_, motion)| self.rules.is_at(end, &motion.to));
-        let lifts = over && (at(hole.return_mm) && !asked || !next.rapid && at(hole.clearance_mm));
+        let returns = at(hole.return_mm) && !asked;
+        let lifts = over && (returns || !next.rapid && at(hole.clearance_mm));
         if lifts {
+            // It may come down to a thread again.
+            self.lifted = returns && !at(hole.clearance_mm);
             self.pass_over_hole(cutting.here.as_ref(), number);
             self.progress.begin_at(*end);
             self.compare_state(current, &required);
@@ -851,6 +861,7 @@ impl Comparison<'_> {
         if self.progress.is_made(expected.number) {
             self.found(current, "this hole has been made already: the cycle runs twice");
         }
+        self.lifted = false;
         let starts = self.progress.motion().is_some_and(|motion| motion.starts);
         if !matches!(phase, Phase::Cutting(_)) || (starts && !self.progress.is_approached()) {
             self.found(current, "cycle without an approach before it");

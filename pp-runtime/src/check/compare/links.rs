@@ -1004,12 +1004,12 @@ impl Comparison<'_> {
         Ok(())
     }
 
-    /// Reports dwells of the CL data that are not in the program before a block; `all`: those of the next tool as well.
+    /// Reports dwells of the CL data that are not in the program before a block; `all`: those between operations as well.
     pub(super) fn missing_dwells(&mut self, current: &Current<'_>, all: bool) {
-        while let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds, of_tool, .. }, .. }) =
+        while let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds, between, .. }, .. }) =
             self.progress.next()
         {
-            if *of_tool && !all {
+            if *between && !all {
                 return;
             }
             self.found(current, &format!("the dwell of {seconds} s before this block is missing"));

@@ -107,6 +107,8 @@ struct Comparison<'a> {
     home: bool,
     /// A probe has measured since the last machine retract: the tool is still in the plane of its point.
     probed: bool,
+    /// The tool has come to the level of a cycle over the next hole.
+    lifted: bool,
     /// The last block may be skipped.
     skippable: bool,
     /// The last line began a guard, whose text is its own.
@@ -243,6 +245,7 @@ impl<'a> Checker<'a> {
             own_retract: 0,
             home: false,
             probed: false,
+            lifted: false,
             skippable: false,
             guarded: false,
             way: Way::default(),

@@ -120,11 +120,11 @@ pub(super) enum ExpectedAction {
     BlockSkip {
         on: bool,
     },
-    /// `of_tool`: after the record of a tool and before its first motion: it comes after the tool change. `spindle`: state that SPINDL
+    /// `between`: before the first motion of an operation; the tool may have left the part. `spindle`: state that SPINDL
     /// has requested before it, since the last operation.
     Dwell {
         seconds: f64,
-        of_tool: bool,
+        between: bool,
         spindle: Option<SpindleState>,
     },
     /// A block that is copied from the CL data.

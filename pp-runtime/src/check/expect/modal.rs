@@ -225,7 +225,9 @@ impl<'a> ClState<'a> {
             Event::Interruption(interruption) => self.interruption(at, interruption),
             Event::Function(function) => self.function(at, function),
             Event::Reference(ReferenceGeometry::ClearancePlane(plane)) => {
-                self.require().clearance = Some(Clearance::Plane(plane));
+                let clearance = Some(Clearance::Plane(plane));
+                self.operation.linked &= self.required.clearance == clearance;
+                self.require().clearance = clearance;
             }
             Event::Text(TextKind::Message, text) => self.message(at, text, false),
             // Nothing in a program follows from these.
@@ -751,14 +753,13 @@ impl<'a> ClState<'a> {
         };
         self.before_call = None;
         if seconds > 0.0 {
-            let of_tool = self.operation.starts && self.operation.called;
             let SpindleRecord { speed_rev_per_min, rotation, off } = self.spindle.in_start;
             let is_on = self.operation.starts
                 && !off
                 && !self.spindle.held
                 && (speed_rev_per_min.is_some() || rotation.is_some());
             let spindle = self.spindle_state().filter(|_| is_on);
-            self.push(at, ExpectedAction::Dwell { seconds, of_tool, spindle });
+            self.push(at, ExpectedAction::Dwell { seconds, between: self.operation.starts, spindle });
         }
     }
 

@@ -307,3 +307,15 @@ fn an_operation_goes_on_over_the_clearance_geometry() {
         }
     }
 }
+
+/// The lift over a hole is for a cycle; a cut by motions begins where the CL data begins it.
+#[test]
+fn a_lift_over_a_hole_that_no_cycle_follows_is_found() {
+    let data = "UNITS/MM\nTOOL PATH/HOLES,TOOL,T1\nLOADTL/1\nSPINDL/RPM,2000,CLW\nRAPID\nGOTO/0,0,50\nCYCLE/DRILL,RAPTO,5,FEDTO,-20,RTRCTO,30,MMPM,300\n\
+                GOTO/40,0,0\nGOTO/50,0,0\nCYCLE/OFF\n";
+    let set_up = "cl.dialect = \"nx\"\nretract.distance = 20\ncycles.output = \"expanded\"\n";
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, set_up, data);
+    let down = program.match_indices("Z5.\nG1 Z-20.").last().expect("the second hole").0;
+    let lifted = format!("{}Z5.\nZ30.\n{}", &program[..down], &program[down + "Z5.\n".len()..]);
+    assert_told::<Mill>("fanuc", Mode::Axes, set_up, data, &lifted);
+}

@@ -179,7 +179,7 @@ impl HoleWriter {
     /// Cancels the functions that must be off in a cycle.
     fn before_cycle(&mut self, out: &mut ModalWriter<'_>) -> io::Result<()> {
         self.end_cycle(out)?;
-        out.smooth(false)?;
+        out.stop_smoothing()?;
         out.select_xy_plane()
     }
 

@@ -17,6 +17,11 @@ impl ClearanceGeometry {
         Self { configured, in_force: configured }
     }
 
+    /// Whether CLEARP states another geometry.
+    pub(crate) fn changes(&self, plane: ClearancePlane) -> bool {
+        self.in_force != Some(Clearance::Plane(plane))
+    }
+
     /// CLEARP.
     pub(crate) fn set_plane(&mut self, plane: ClearancePlane) {
         self.in_force = Some(Clearance::Plane(plane));

@@ -90,7 +90,13 @@ impl<S: Sink> Records<'_, '_, S> {
             Event::Reference(geometry) => {
                 match geometry {
                     ReferenceGeometry::From(pose) => self.planner.mover.count_from(&pose),
-                    ReferenceGeometry::ClearancePlane(plane) => self.planner.clearance.set_plane(plane),
+                    ReferenceGeometry::ClearancePlane(plane) => {
+                        let auto = self.planner.policy.options.rapids.transition == Transition::Auto;
+                        if auto && self.between && self.planner.clearance.changes(plane) {
+                            self.leave()?;
+                        }
+                        self.planner.clearance.set_plane(plane);
+                    }
                 }
                 Ok(())
             }

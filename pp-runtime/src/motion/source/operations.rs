@@ -156,8 +156,11 @@ impl MotionCounter {
         };
     }
 
-    /// Counts CLEARP.
+    /// Counts CLEARP. Another geometry between two operations: the tool leaves the one before.
     pub(crate) fn set_clearance(&mut self, plane: ClearancePlane) {
+        if self.clearance.changes(plane) && self.between() && self.links == Linking::OverClearance {
+            self.interrupt();
+        }
         self.clearance.set_plane(plane);
     }
 

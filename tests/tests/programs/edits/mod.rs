@@ -201,6 +201,22 @@ fn is_without_effect(edit: &Edit) -> bool {
     edit.before != edit.after && rest(&edit.before) == rest(&edit.after)
 }
 
+/// Whether lines in another order cut the same, although they move in another way, or hold what a check may find.
+fn is_another_way(verdict: &Verdict, edit: &Edit) -> bool {
+    match verdict {
+        // A cycle leads over its hole and down to R itself; whole turns of a helix come after a part of one; at the machine retract a
+        // plane may be off before axes go where tip control begins.
+        Verdict::Harmful(why) => {
+            why.ends_with("became hole")
+                || why.contains("a point of an arc") && edit.before.contains("CP IPA")
+                || why.ends_with(": the tilted plane") && edit.before.contains("CYCLE800()")
+        }
+        // The offset after the plane that is in it.
+        Verdict::Harmless => edit.before.contains("CYCLE800(") && edit.before.contains("G54"),
+        Verdict::Refused(_) | Verdict::Undecided(_) => false,
+    }
+}
+
 /// `order`: the order of acting records counts, also of those without effect.
 fn judged(posted: &Posted, edit: &Edit, order: bool, tally: &mut Tally) -> Option<Failure> {
     let subject = &posted.subject;
@@ -213,6 +229,7 @@ fn judged(posted: &Posted, edit: &Edit, order: bool, tally: &mut Tally) -> Optio
         || verdict == Verdict::Harmless && (is_matter_of_taste(posted, edit) || is_displayed(edit))
         || matches!(verdict, Verdict::Refused(_)) && (is_message(edit) || is_another_mode(edit))
         || matches!(verdict, Verdict::Harmful(_)) && !order && is_without_effect(edit)
+        || order && is_another_way(&verdict, edit)
         || verdict == Verdict::Harmless && is_another_restart(posted, edit, &edited)
     {
         tally.undecided += 1;

@@ -430,6 +430,14 @@ impl<'a> ModalWriter<'a> {
         if cuts && self.blending != tolerance { self.blend() } else { Ok(()) }
     }
 
+    /// Switches smoothing off for a cycle of the control, unless it is known to be off.
+    pub(crate) fn stop_smoothing(&mut self) -> io::Result<()> {
+        match self.modal.smoothing() {
+            SmoothingState::Off => Ok(()),
+            before => self.switch_smoothing(before, SmoothingState::Off),
+        }
+    }
+
     /// Writes the tolerance of the blending, which no safety block has stated.
     #[cold]
     fn blend(&mut self) -> io::Result<()> {
