@@ -41,8 +41,10 @@ pub struct Layout {
     pub rigid: bool,
     /// F of a thread is its pitch (feed per revolution), where the cycle takes an F.
     pub thread_per_revolution: bool,
-    /// Names of the tools that are called by name; empty where they are called by number.
+    /// Names of the tools, for a comment at their calls.
     pub tool_names: BTreeMap<u32, String>,
+    /// Tools are called by name, where they have one.
+    pub tools_by_name: bool,
     /// Blocks of the shop at the start and the end of tools, by tool number.
     pub blocks_of_tools: BTreeMap<u32, [Vec<String>; 2]>,
     /// Settings for the control.
@@ -84,6 +86,7 @@ impl Layout {
             rigid: demands.motion.cycles.rigid,
             thread_per_revolution: demands.motion.cycles.thread_feed == ThreadFeed::PerRevolution,
             tool_names: named_tools(demands),
+            tools_by_name: demands.options.tool_names,
             blocks_of_tools: blocks_of_tools(demands),
             options: demands.options.clone(),
             program: demands.options.program.clone(),
@@ -91,9 +94,9 @@ impl Layout {
     }
 }
 
-/// Tools that are called by name.
+/// Names of tools.
 fn named_tools(demands: Demands<'_>) -> BTreeMap<u32, String> {
-    let tools = demands.set_up.tools.iter().filter(|_| demands.options.tool_names);
+    let tools = demands.set_up.tools.iter();
     tools.filter_map(|(number, tool)| Some((*number, tool.name.clone()?))).collect()
 }
 

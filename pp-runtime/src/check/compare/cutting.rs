@@ -9,15 +9,14 @@ use std::rc::Rc;
 
 use nalgebra::Vector3;
 
-use super::super::expect::{ClMotion, ExpectedAction, ExpectedHole, ExpectedItem, Required, RequiredSmoothing};
+use super::super::expect::{ClMotion, ExpectedAction, ExpectedHole, Required};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between, is_within_angle};
 use super::super::policy::RapidForm;
-use super::super::read::{Action, Block, CycleMove, MAX_AXES, Side};
+use super::super::read::{Action, Block, MAX_AXES, Side};
 use super::super::rules::{Deviation, DeviationBound, LinkForm, ModalContext, StateFault, Stroke};
-use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
-use super::{Comparison, Current, Findings, Previous, retract};
+use super::{Comparison, Current, Previous, retract};
 use crate::check::tolerances::{BOTH, COMES_BACK};
 use crate::kinematics::math::smaller;
 use crate::program::{Drilling, Feed, Location};
@@ -132,13 +131,25 @@ impl Comparison<'_> {
             self.progress.fill(2)?;
         }
         self.progress.fill(2)?;
-        let mut leads_away = self.progress.leads_away(&self.rules, cutting.here.as_ref(), self.previous.chords);
+        let leads_away = self.progress.leads_away(&self.rules, cutting.here.as_ref(), self.previous.chords);
         if !leads_away {
             self.read_over_needless(cutting.here.as_ref())?;
         }
         if self.is_rest(cutting, current.block, end) {
-            return Ok(true);
+            Ok(true)
+        } else {
+            self.carry_out_next(cutting, current, end, leads_away)
         }
+    }
+
+    /// The same for the next motion or one after it. `leads_away`: the next one needs its block.
+    fn carry_out_next(
+        &mut self,
+        cutting: &mut Cutting,
+        current: &Current<'_>,
+        end: &ToolPose,
+        mut leads_away: bool,
+    ) -> io::Result<bool> {
         let (block, chords) = (current.block, self.previous.chords);
         loop {
             self.progress.fill(2)?;
@@ -238,37 +249,13 @@ impl Comparison<'_> {
         let block = current.block;
         let on = part.segment.at(part.share);
         if !part.rapid || part.share >= 1.0 {
-            // No other angle than the largest so far is reported. Points of an even rotation of the rotary axes are not on the
-            // great circle.
-            let counts = !is_within_angle(&end.axis, &on.axis, self.tally.largest_axis_deviation())
-                && self.rules.is_axis_near(&end.axis, &on.axis, BOTH);
-            let angle = if counts { angle_between(&end.axis, &on.axis) } else { 0.0 };
-            self.tally.deviation((end.tip - on.tip).norm(), angle);
+            self.count_deviation(end, &on);
         }
         let judged = self.right_state.as_ref().is_some_and(|required| Rc::ptr_eq(required, &part.required));
         let right_state = judged || self.compare_state(current, &part.required);
-        let stopped = if part.rapid { None } else { self.functions.cut_with_spindle_off() };
-        self.found_any(current, stopped);
-        if std::mem::take(&mut self.lifted) && !part.rapid {
-            self.found(current, "the tool has come to the level of a cycle, and this is none");
-        }
-        if part.required.side != Side::None {
-            let unguarded = self.functions.cut_with_radius(&self.rules);
-            self.found_any(current, unguarded);
-        }
         let at_feed = !block.action.is_rapid();
         let known = self.rules.is_known(block, self.previous.known);
-        if at_feed && known {
-            let rotated_rad = self.rules.words().rotary_travel(&self.previous.words, &block.values);
-            // At a pole an axis may have to go round between its limits.
-            if rotated_rad > 4.0 * PI {
-                let degrees = rotated_rad.to_degrees();
-                self.found(
-                    current,
-                    &format!("a rotary axis rotates by {degrees:.3}° in this cut, farther than any tool axis asks for"),
-                );
-            }
-        }
+        self.compare_functions(current, part, at_feed && known);
         let rules = if part.rapid { self.rapid_rules(cutting, current, part) } else { RapidRules::CUT };
         let RapidRules { expects_feed, follows_path, link, .. } = rules;
         if at_feed != expects_feed {
@@ -302,6 +289,44 @@ impl Comparison<'_> {
         cutting.retract.follow(&start, &ToolPose { axis: end.axis, ..on });
         self.start.restarted = false;
         self.progress.set_lost(false);
+        self.finish_part(cutting, end, part, (at_feed, link));
+    }
+
+    /// Largest deviations at the end of a block. No other angle than the largest so far is reported. Points of an even rotation of the
+    /// rotary axes are not on the great circle.
+    fn count_deviation(&mut self, end: &ToolPose, on: &ToolPose) {
+        let counts = !is_within_angle(&end.axis, &on.axis, self.tally.largest_axis_deviation())
+            && self.rules.is_axis_near(&end.axis, &on.axis, BOTH);
+        let angle = if counts { angle_between(&end.axis, &on.axis) } else { 0.0 };
+        self.tally.deviation((end.tip - on.tip).norm(), angle);
+    }
+
+    /// What has to be on or off in a part of a motion; `rotates`: its rotary axes may rotate at feed.
+    fn compare_functions(&mut self, current: &Current<'_>, part: &Part, rotates: bool) {
+        let stopped = if part.rapid { None } else { self.functions.cut_with_spindle_off() };
+        self.found_any(current, stopped);
+        if std::mem::take(&mut self.lifted) && !part.rapid {
+            self.found(current, "the tool has come to the level of a cycle, and this is none");
+        }
+        if part.required.side != Side::None {
+            let unguarded = self.functions.cut_with_radius(&self.rules);
+            self.found_any(current, unguarded);
+        }
+        if rotates {
+            let rotated_rad = self.rules.words().rotary_travel(&self.previous.words, &current.block.values);
+            // At a pole an axis may have to go round between its limits.
+            if rotated_rad > 4.0 * PI {
+                let degrees = rotated_rad.to_degrees();
+                self.found(
+                    current,
+                    &format!("a rotary axis rotates by {degrees:.3}° in this cut, farther than any tool axis asks for"),
+                );
+            }
+        }
+    }
+
+    /// A part of a motion is done, at feed or not, as a link or not.
+    fn finish_part(&mut self, cutting: &mut Cutting, end: &ToolPose, part: &Part, (at_feed, link): (bool, bool)) {
         let required = Rc::clone(&part.required);
         if part.share >= 1.0 {
             self.progress.pass();
@@ -342,7 +367,7 @@ impl Comparison<'_> {
 
     /// Compares the modal state of a block, and returns whether it is right.
     #[inline(never)]
-    fn compare_state(&mut self, current: &Current<'_>, required: &Required) -> bool {
+    pub(super) fn compare_state(&mut self, current: &Current<'_>, required: &Required) -> bool {
         let fault = self.rules.fault_at_path(current.block, required, self.modal_context());
         let right = fault.is_none();
         self.found_state(current, fault);
@@ -350,18 +375,18 @@ impl Comparison<'_> {
     }
 
     /// Whether the next item belongs to a thread, whose motions are a cycle of their own on some controls.
-    fn is_in_thread(&self) -> bool {
+    pub(super) fn is_in_thread(&self) -> bool {
         let hole = self.progress.next().and_then(|item| item.hole.as_ref());
         hole.is_some_and(|expected| matches!(expected.hole.drilling, Drilling::Tap { .. }))
     }
 
     /// Whether a rotary axis rotates by more than the index angle.
-    fn rotates(&self, block: &Block) -> bool {
+    pub(super) fn rotates(&self, block: &Block) -> bool {
         self.rules.rotates(&self.previous.words, self.previous.known, block)
     }
 
     /// Reports a rapid that rotates the rotary axes at the part.
-    fn rotates_at_part(&mut self, current: &Current<'_>) {
+    pub(super) fn rotates_at_part(&mut self, current: &Current<'_>) {
         if self.rules.link_form() != LinkForm::OneRapid {
             self.found(current, "this rapid rotates the rotary axes near the part: the retract before it is missing");
         }
@@ -605,7 +630,7 @@ impl Comparison<'_> {
         end: &ToolPose,
     ) -> bool {
         let rules = &self.rules;
-        let FinishedMotion { segment, required, feed, at_feed, link, .. } = &*finished;
+        let FinishedMotion { segment, required, at_feed, link, .. } = &*finished;
         let same_kind = match block.action {
             Action::Feed | Action::Arc(_) => *at_feed,
             Action::Rapid => !*at_feed && (*link || rules.link_form() == LinkForm::OneRapid || !self.rotates(block)),
@@ -617,12 +642,27 @@ impl Comparison<'_> {
         // Rounding may show an end of a rotation at the pole where it is only near.
         let near = rotation > 0.5 * rules.rounding().unit_rad && rules.is_almost_done(segment, end);
         let tolerance_mm = required.tolerance_mm + if near { BOTH * rules.rounding().tip_mm } else { 0.0 };
-        // A rotation after a dwell or before another speed or coolant, or a step that ends nearer to the end of the next
-        // motion, is the beginning of that motion.
+        let is_rest = same_kind
+            && rotated_rad <= rules.largest_rest_rad()
+            && (near || rules.is_at(end, &segment.to))
+            && !self.begins_next(finished, here, block, end)
+            && rules.stays_at(&rules.path(*before, block), &segment.to, tolerance_mm)
+            && rules.fault_in_cut(block, required, self.modal_context()).is_none()
+            && self.has_feed_of_rest(finished, block, end);
+        if is_rest {
+            finished.rotated_rad = rotated_rad;
+        }
+        is_rest
+    }
+
+    /// Whether a block near the end of a finished motion begins the next one: a rotation after a dwell or before another speed or
+    /// coolant, or a step that ends nearer to the end of the next motion.
+    fn begins_next(&self, finished: &FinishedMotion, here: Option<&ToolPose>, block: &Block, end: &ToolPose) -> bool {
+        let (rules, FinishedMotion { segment, required, .. }) = (&self.rules, finished);
         let off = |to: &ToolPose| (end.tip - to.tip).norm();
         let process = |required: &Required| (required.spindle, required.coolant);
         let changes = || self.progress.next().is_some_and(|item| process(&item.required) != process(required));
-        let begins_next = || match self.progress.next().map(|item| &item.action) {
+        match self.progress.next().map(|item| &item.action) {
             Some(ExpectedAction::Dwell { .. }) => self.rotates(block),
             Some(ExpectedAction::Motion(_)) if changes() && self.rotates(block) => true,
             // Before that motion there may be others that need no block.
@@ -632,7 +672,7 @@ impl Comparison<'_> {
                     ExpectedAction::Motion(motion) => Some(&motion.to),
                     _ => None,
                 });
-                let turned = rules.moved(before, self.previous.known, block) != 0;
+                let turned = rules.moved(&self.previous.words, self.previous.known, block) != 0;
                 let axis_off = |to: &ToolPose| angle_between(&end.axis, &to.axis);
                 let nearer = |to: &ToolPose| match turned {
                     true => axis_off(to) + rules.rounding().axis_rad < axis_off(&segment.to),
@@ -641,29 +681,22 @@ impl Comparison<'_> {
                 motions.any(|to| nearer(to) && rules.is_at(end, to))
             }
             _ => false,
-        };
-        let right_feed = || {
-            let from = rules.pose_from(before, block);
-            let moved_mm = (from.tip - end.tip).norm();
-            let stays = moved_mm < 0.5 * rules.rounding().unit_mm;
-            // Both ends are rounded: a last piece of one unit may look like none.
-            let longest = if stays { moved_mm + 2.0 * rules.rounding().tip_mm } else { f64::INFINITY };
-            let deviation = rules.deviation(&rules.path(*before, block), [&from, end], segment, 0.0);
-            let stroke = rules.stroke(before, block, (0.0, longest), *feed, required);
-            let stroke = stroke.with_tip_rate(deviation.as_ref(), required);
-            !at_feed || rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0]).is_none()
-        };
-        let is_rest = same_kind
-            && rotated_rad <= rules.largest_rest_rad()
-            && (near || rules.is_at(end, &segment.to))
-            && !begins_next()
-            && rules.stays_at(&rules.path(*before, block), &segment.to, tolerance_mm)
-            && rules.fault_in_cut(block, required, self.modal_context()).is_none()
-            && right_feed();
-        if is_rest {
-            finished.rotated_rad = rotated_rad;
         }
-        is_rest
+    }
+
+    /// Whether a block that may be the rest of a finished motion has its feed.
+    fn has_feed_of_rest(&self, finished: &FinishedMotion, block: &Block, end: &ToolPose) -> bool {
+        let (rules, before) = (&self.rules, &self.previous.words);
+        let FinishedMotion { segment, required, feed, at_feed, .. } = finished;
+        let from = rules.pose_from(before, block);
+        let moved_mm = (from.tip - end.tip).norm();
+        let stays = moved_mm < 0.5 * rules.rounding().unit_mm;
+        // Both ends are rounded: a last piece of one unit may look like none.
+        let longest = if stays { moved_mm + 2.0 * rules.rounding().tip_mm } else { f64::INFINITY };
+        let deviation = rules.deviation(&rules.path(*before, block), [&from, end], segment, 0.0);
+        let stroke = rules.stroke(before, block, (0.0, longest), *feed, required);
+        let stroke = stroke.with_tip_rate(deviation.as_ref(), required);
+        !at_feed || rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0]).is_none()
     }
 
     /// Whether a block is a step of a rapid: an axis that takes the shorter way and has half a revolution to go, or more, goes
@@ -767,197 +800,6 @@ impl Comparison<'_> {
         let may_go_on = |finished: &FinishedMotion| continues || wet || finished.required.coolant == 0 || dry;
         let finished = cutting.finished.as_ref().filter(|finished| finished.at_feed && may_go_on(finished)).cloned();
         (finished.is_some() || continues).then_some(RewindPoint { pose: here, out, finished, wet })
-    }
-
-    /// A cycle returns to the level where it began: the tool first comes to that level over its hole, and down again to a
-    /// thread by a motion; `false` if the block does something else.
-    fn lifts_for_cycle(&mut self, cutting: &Cutting, current: &Current<'_>, end: &ToolPose) -> bool {
-        let Some(ExpectedItem { required, hole: Some(expected), action: ExpectedAction::Motion(next), .. }) =
-            self.progress.next()
-        else {
-            return false;
-        };
-        let (required, hole, number, next) = (Rc::clone(required), expected.hole, expected.number, next.clone());
-        let (top, axis) = (hole.top.tip.coords, hole.top.axis.into_inner());
-        let tip_mm = self.rules.rounding().tip_mm;
-        let at = |height: f64| self.rules.is_at(end, &ToolPose { tip: top + axis * height, axis });
-        let over = cutting.here.is_some_and(|here| {
-            let height = (here.tip - top).dot(&axis);
-            height >= hole.clearance_mm - tip_mm && (here.tip - top - axis * height).norm() <= 2.0 * tip_mm
-        });
-        // A motion over the hole from where the tool is needs no block, and hides the one after it.
-        let asked = (0..)
-            .map_while(|index| match self.progress.get(index) {
-                Some(ExpectedItem { hole: Some(of), action: ExpectedAction::Motion(motion), .. }) => {
-                    (of.number == number).then_some((index, motion))
-                }
-                _ => None,
-            })
-            .find(|(index, motion)| {
-                self.rules.is_at(end, &motion.to) || !self.is_needless(*index, cutting.here.as_ref())
-            })
-            .is_some_and(|(_, motion)| self.rules.is_at(end, &motion.to));
-        let returns = at(hole.return_mm) && !asked;
-        let lifts = over && (returns || !next.rapid && at(hole.clearance_mm));
-        if lifts {
-            // It may come down to a thread again.
-            self.lifted = returns && !at(hole.clearance_mm);
-            self.pass_over_hole(cutting.here.as_ref(), number);
-            self.progress.begin_at(*end);
-            self.compare_state(current, &required);
-            if current.block.action.is_rapid() {
-                if self.rotates(current.block) {
-                    self.rotates_at_part(current);
-                }
-                let at_feed = self.rules.policy().links.rapid == RapidForm::Feed;
-                if at_feed && !self.is_in_thread() && !self.progress.is_approached() {
-                    self.found(current, "this motion to the next hole is programmed as a rapid, expected at feed");
-                }
-            } else if let Some(here) = cutting.here {
-                let length = (end.tip - here.tip).norm();
-                let feed = self.rules.policy().links.rapid_feed_mm_per_min.map(Feed::PerMinute);
-                let feed = if next.rapid { feed } else { feed.or(next.feed) };
-                let before = &self.previous.words;
-                let stroke = self.rules.stroke(before, current.block, (length, f64::INFINITY), feed, &required);
-                let fault = self.rules.law().wrong(&stroke, &current.block.state);
-                self.found_any(current, fault);
-                let fault = self.functions.smoothing(&current.block.state, &self.rules, required.smoothing);
-                self.found_any(current, fault);
-            }
-        }
-        lifts
-    }
-
-    /// Passes motions to a place over a hole that need no block from where the tool was; the last rapid leads down to it.
-    fn pass_over_hole(&mut self, here: Option<&ToolPose>, number: u64) {
-        let leads_on = |item: &ExpectedItem| {
-            item.hole.as_ref().is_some_and(|of| of.number == number) && item.motion().is_some_and(|motion| motion.rapid)
-        };
-        while self.is_needless(0, here) && self.progress.get(1).is_some_and(leads_on) {
-            self.progress.pass();
-        }
-    }
-
-    /// A hole by a cycle of the control.
-    pub(super) fn cycle(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Option<Phase>> {
-        let (block, Action::Cycle(cycle)) = (current.block, &current.block.action) else { return Ok(None) };
-        self.progress.fill(2)?;
-        while self.is_needless(0, phase.here()) && self.is_last_of_hole() {
-            self.progress.pass();
-            self.progress.fill(2)?;
-        }
-        if let Some(count) = self.items_before_hole(block, cycle)? {
-            self.skip(count, phase.here(), current);
-        }
-        let item = self.progress.next().and_then(|item| Some((item.hole.clone()?, Rc::clone(&item.required))));
-        let end = pose_at(&self.rules, block, cycle.back_to);
-        let Some((expected, required)) = item else {
-            self.found(current, "cycle, but the CL data has no hole here");
-            if let Phase::Cutting(cutting) = phase {
-                cutting.here = end;
-            }
-            return Ok(None);
-        };
-        if self.progress.is_made(expected.number) {
-            self.found(current, "this hole has been made already: the cycle runs twice");
-        }
-        self.lifted = false;
-        let starts = self.progress.motion().is_some_and(|motion| motion.starts);
-        if !matches!(phase, Phase::Cutting(_)) || (starts && !self.progress.is_approached()) {
-            self.found(current, "cycle without an approach before it");
-        }
-        self.compare_state(current, &required);
-        if !block.action.is_rigid_thread() && !self.rules.facts().stops_spindle(&block.action) {
-            let stopped = self.functions.cut_with_spindle_off();
-            self.found_any(current, stopped);
-        }
-        let off = RequiredSmoothing { level: None, ..required.smoothing };
-        let fault = self.functions.smoothing(&block.state, &self.rules, off);
-        self.found_any(current, fault);
-        let (hole, spindle) = (expected.hole, required.spindle);
-        // Words show no less than half a unit.
-        let tolerance_mm = required.tolerance_mm.max(0.5 * self.rules.rounding().unit_mm);
-        let comparison = CycleComparison { rules: &self.rules, block, cycle, hole: &hole, spindle, tolerance_mm };
-        let (stays, highest) = (comparison.stays_at_clearance(), comparison.highest());
-        let (levels, back) = comparison.levels(stays);
-        let way_out_mm = comparison.way_out_mm(&back);
-        let levels = levels.map(|level| {
-            let found = comparison.compare(&level);
-            (level.level_mm, found)
-        });
-        let over = comparison.over_fault(&self.previous.words, self.previous.known);
-        let faults: Vec<String> = over.into_iter().chain(comparison.faults()).collect();
-        for (level_mm, found) in levels {
-            self.level_found(current, level_mm, found);
-        }
-        for level_mm in [cycle.over, highest].into_iter().flatten() {
-            if let Some(values) = words_at(&self.rules, block, level_mm) {
-                let mut findings = Findings { tally: &mut self.tally, at: current.at, shown: current.shown };
-                self.travel.at_end(&self.rules, block, &values, &mut findings);
-            }
-        }
-        if self.rotates(block) {
-            self.rotates_at_part(current);
-        }
-        faults.iter().for_each(|text| self.found(current, text));
-        self.progress.make(expected.number);
-        self.finish_hole(expected.number, stays)?;
-        self.progress.begin_at(back);
-        self.progress.set_lost(false);
-        let mut cutting = match phase {
-            Phase::Cutting(cutting) => std::mem::take(cutting),
-            _ => Box::default(),
-        };
-        cutting.retract = RetractedLength::starting(back, way_out_mm);
-        cutting.here = end.or(Some(back));
-        Ok(Some(Phase::Cutting(cutting)))
-    }
-
-    /// Reports a wrong level of a cycle, and its travel limits.
-    fn level_found(&mut self, current: &Current<'_>, level_mm: f64, found: Option<(f64, Option<String>)>) {
-        let Some((off, text)) = found else {
-            return self.found(current, "cycle without a known working plane");
-        };
-        if let Some(text) = text {
-            self.found(current, &text);
-        }
-        self.tally.deviation(off, 0.0);
-        if let Some(values) = words_at(&self.rules, current.block, level_mm) {
-            let mut findings = Findings { tally: &mut self.tally, at: current.at, shown: current.shown };
-            self.travel.at_end(&self.rules, current.block, &values, &mut findings);
-        }
-    }
-
-    /// Number of items before the hole that a cycle makes, if that is not the next one.
-    fn items_before_hole(&mut self, block: &Block, cycle: &CycleMove) -> io::Result<Option<usize>> {
-        let Some(at) = pose_at(&self.rules, block, cycle.reference) else { return Ok(None) };
-        let rules = &self.rules;
-        let makes = |item: &ExpectedItem| item.hole.as_ref().is_some_and(|expected| is_over(rules, &at, expected));
-        if self.progress.next().is_some_and(makes) {
-            return Ok(None);
-        }
-        self.progress.find(makes)
-    }
-
-    /// Whether the next item is not of a hole, or the last of its hole.
-    fn is_last_of_hole(&self) -> bool {
-        let number =
-            |index: usize| self.progress.get(index).and_then(|item| item.hole.as_ref()).map(|hole| hole.number);
-        number(0).is_none() || number(0) != number(1)
-    }
-
-    /// Passes the items of a hole, but for the way up where that is left to a motion.
-    fn finish_hole(&mut self, number: u64, stays: bool) -> io::Result<()> {
-        loop {
-            self.progress.fill(2)?;
-            let belongs = |index: usize| {
-                self.progress.get(index).and_then(|item| item.hole.as_ref()).is_some_and(|hole| hole.number == number)
-            };
-            if !belongs(0) || (stays && !belongs(1)) {
-                return Ok(());
-            }
-            self.progress.pass();
-        }
     }
 }
 

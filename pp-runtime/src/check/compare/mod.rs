@@ -5,14 +5,17 @@
 //! specification: out along the tool axis, the retract axis to its machine position, rotary axes alone, the other linear
 //! axes, down to the approach point. The modal state is compared at each block that moves.
 //!
-//! [`Phase::task`] is the table of what a block has to be in each phase; `cutting` has the tasks at the part, `links` those
-//! between cuts. A block that carries out nothing is reported, and the place at which the program continues is looked for
+//! [`Phase::task`] is the table of what a block has to be in each phase; `cutting` has the tasks at the part, `links` those at the
+//! machine retract, `approach` the way back, `records` what acts without motion. A block that carries out nothing is reported, and the place at which the program continues is looked for
 //! among the motions ahead.
 
+mod approach;
 mod clear;
 mod cutting;
+mod cycles;
 mod functions;
 mod hole;
+mod lines;
 mod links;
 mod machine_move;
 mod messages;
@@ -21,6 +24,7 @@ mod phase;
 mod plane_guard;
 mod progress;
 mod rapid;
+mod records;
 mod retract;
 mod shop_lines;
 mod station;

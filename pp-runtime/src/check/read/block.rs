@@ -205,7 +205,7 @@ pub struct OwnLine {
     /// Strongest effect that `[control] effects` declares for it.
     pub effect: Option<Effect>,
     /// Before it the machine retracts and the spindle stops: one of its effects is that of a clamp, a chuck, a door or a pallet.
-    pub stands: bool,
+    pub needs_standstill: bool,
     /// Values of its fields.
     pub values: OwnValues,
 }

@@ -259,7 +259,7 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     let mut places: Vec<OwnPlace> = own.map(|own| own.place).collect();
     let effect = declared.map(|declared| declared.effect);
     let unconfirmed = effect == Some(Effect::None) && places.contains(&OwnPlace::Unconfirmed);
-    let stands = unconfirmed || declared.is_some_and(|declared| declared.bits & effect::STANDSTILL != 0);
+    let needs_standstill = unconfirmed || declared.is_some_and(|declared| declared.bits & effect::STANDSTILL != 0);
     let values = values(text, line);
     if let Some(Declared { bits, whole, .. }) = declared {
         let routine = |place: &OwnPlace| matches!(place, OwnPlace::MeasureTool | OwnPlace::CheckTool);
@@ -279,7 +279,7 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
             if places.is_empty() {
                 places.push(OwnPlace::Insert);
             }
-            return Some(OwnLine { places, effect, stands, values });
+            return Some(OwnLine { places, effect, needs_standstill, values });
         }
     }
     if places.is_empty() {
@@ -287,7 +287,7 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
     }
     if switched {
         line.excuse();
-        return Some(OwnLine { places, effect, stands, values });
+        return Some(OwnLine { places, effect, needs_standstill, values });
     }
     if line.fault_count() > line.orders.frame_faults {
         // What it does is unknown, so nothing of it is executed.
@@ -306,7 +306,7 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
         );
         line.fault(0, text);
     }
-    Some(OwnLine { places, effect, stands, values })
+    Some(OwnLine { places, effect, needs_standstill, values })
 }
 
 /// A text as a key of a TOML file.

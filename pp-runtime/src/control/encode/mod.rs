@@ -46,6 +46,7 @@ pub struct Encoder<'a> {
     preselect: bool,
     /// As in the layout.
     tool_names: BTreeMap<u32, String>,
+    tools_by_name: bool,
     /// The file begins with the name of the program.
     file_header: bool,
     program: ProgramBlocks,
@@ -74,6 +75,7 @@ impl<'a> Encoder<'a> {
             spindle_coolant: SpindleCoolantWriter::new(layout),
             preselect: layout.options.preselect.unwrap_or(codes.preselect),
             tool_names: layout.tool_names.clone(),
+            tools_by_name: layout.tools_by_name,
             file_header: layout.options.file_header,
             program: layout.program.clone(),
             measure_tool: layout.options.measure_tool.clone(),
@@ -277,6 +279,10 @@ impl<'a> Encoder<'a> {
         values.next = next;
         values.speed = speed;
         if change {
+            let name = self.tool_names.get(&number).filter(|_| !self.tools_by_name);
+            if let Some(text) = name.map(|name| format!("T{number} {name}")) {
+                self.comment(text.as_bytes())?;
+            }
             self.frames.tool_change(&mut self.out)
         } else {
             self.comment(format!("T{number} stays in the spindle").as_bytes())
@@ -285,7 +291,7 @@ impl<'a> Encoder<'a> {
 
     /// Value of `{tool}`: the number of a tool, or its name.
     fn tool_word(&self, number: u32) -> String {
-        match (self.tool_names.get(&number), self.codes.tool_name) {
+        match (self.tool_names.get(&number).filter(|_| self.tools_by_name), self.codes.tool_name) {
             (Some(name), Some([before, after])) => format!("{before}{name}{after}"),
             _ => number.to_string(),
         }

@@ -40,7 +40,7 @@ fn a_line_without_a_declared_effect_is_a_fault_that_names_it() {
             Some(OwnLine {
                 places: vec![OwnPlace::Start],
                 effect: Some(Effect::None),
-                stands: false,
+                needs_standstill: false,
                 values: OwnValues::default()
             }),
             "{family:?}"
@@ -109,7 +109,7 @@ fn a_text_of_insert_has_the_effect_that_is_declared_for_it() {
     let measures = OwnLine {
         places: vec![OwnPlace::Insert],
         effect: Some(Effect::Measures),
-        stands: false,
+        needs_standstill: false,
         values: OwnValues::default(),
     };
     assert_eq!((&last.faults[..], last.known, &last.own), (&[][..], 0, &Some(measures)));
@@ -160,7 +160,7 @@ fn a_line_of_the_shop_is_known_by_its_words_whatever_its_number_and_comments() {
             let wanted = OwnLine {
                 places: vec![OwnPlace::Insert],
                 effect: Some(Effect::Measures),
-                stands: false,
+                needs_standstill: false,
                 values: OwnValues::default(),
             };
             assert_eq!((&measured[0].faults[..], &measured[0].own), (&[][..], &Some(wanted)), "{family:?}: {text}");

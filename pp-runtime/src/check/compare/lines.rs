@@ -1,0 +1,151 @@
+//! Before a block is compared: lines of the shop, guards, complete states, and changes that must not happen at the part.
+
+use super::super::expect::{ExpectedAction, ExpectedItem};
+use super::super::policy::LinearMeaning;
+use super::super::read::{Action, Effect, Length, OwnLine, OwnPlace};
+use super::functions::place_of_line;
+use super::phase::Phase;
+use super::{Comparison, Current, StartState, plane_guard};
+
+impl Comparison<'_> {
+    /// Changes of state that must not happen at the part.
+    pub(super) fn before_task(&mut self, phase: &mut Phase, current: &Current<'_>) {
+        let block = current.block;
+        // A stop of the CL data, though the shop has the same in its lines.
+        let is_of_cl = matches!(block.action, Action::Stop | Action::OptionalStop)
+            && matches!(self.progress.next(), Some(ExpectedItem { action: ExpectedAction::Stop { optional }, .. })
+                if *optional == (block.action == Action::OptionalStop));
+        if let Some(own) = &block.own {
+            self.own_line(own, is_of_cl, phase, current);
+        }
+        let is_line = !is_of_cl && !block.goes_on;
+        if is_line && (!phase.is_at_part() || !current.block.action.moves()) {
+            let of_another = self.shop_lines.note(current.shown.text, block.state.tool);
+            self.found_any(current, of_another);
+        }
+        if !block.only_moves {
+            self.guards_and_restart(phase, current);
+        }
+        let fault = self.functions.spindle(block, &self.rules);
+        self.found_any(current, fault);
+        if !current.same_modes {
+            self.modes_before_task(phase, current);
+        }
+    }
+
+    /// A line that the user brought in; `is_of_cl`: it is the stop of the CL data.
+    #[inline(never)]
+    pub(super) fn own_line(&mut self, own: &OwnLine, is_of_cl: bool, phase: &Phase, current: &Current<'_>) {
+        self.functions.line(&own.places);
+        let ended = self.progress.next().is_none();
+        let misplaced = place_of_line(&own.places, phase, self.tally.motions(), ended);
+        self.found_any(current, misplaced.filter(|_| !is_of_cl));
+        self.begins_operation(own, is_of_cl, current);
+        let register = self.progress.next().map(|item| item.required.register);
+        let of_another = self.shop_lines.values_fault(own, current.block.state.tool, register);
+        self.found_any(current, of_another);
+        self.measures_at_tool_position(own, current);
+        if needs_retract(own) {
+            self.start.retracted = false;
+            self.shop_lines.lose_retract();
+        }
+    }
+
+    /// A line of the shop for the start of an operation comes after its complete state, its tool change and the retract.
+    pub(super) fn begins_operation(&mut self, own: &OwnLine, is_of_cl: bool, current: &Current<'_>) {
+        let of_start = |place: &OwnPlace| {
+            matches!(place, OwnPlace::OperationStart | OwnPlace::ToolStart { .. } | OwnPlace::MeasureTool)
+        };
+        if is_of_cl || !own.places.iter().all(of_start) {
+            return;
+        }
+        let StartState { restarted, retracted } = self.start;
+        let begun = retracted && (restarted || self.rules.policy().shop.own_safety);
+        let tool = current.block.state.tool;
+        if !begun || tool.is_some() && tool != self.tool_due() {
+            self.found(
+                current,
+                "this line comes before the complete state, the tool change or the retract of its operation",
+            );
+        }
+    }
+
+    /// The rules of a block with codes: the complete state, a restart, and values that the control compares.
+    pub(super) fn guards_and_restart(&mut self, phase: &mut Phase, current: &Current<'_>) {
+        let block = current.block;
+        if block.restart {
+            // Tip control ends with the safety line, if it is still on, in the part.
+            if phase.is_at_part() && self.rules.meaning() == LinearMeaning::TipCoordinates {
+                self.found(current, "the safety line comes before the machine has retracted");
+            }
+            self.start = StartState { restarted: true, retracted: false };
+            self.functions.restart();
+        }
+        if let Some(guard) = block.guard {
+            let required = self.progress.next().map(|item| &*item.required);
+            let fault = self.functions.guard(guard, block.state.length, &self.rules, required);
+            self.found_any(current, fault);
+            if matches!(phase, Phase::Retracted(retracted) if retracted.step >= 2) {
+                self.found(current, "the length guard comes after linear axes have moved in the approach");
+            }
+        }
+        if let Some(largest_mm) = block.radius_guard_mm {
+            let fault = self.functions.radius_guard(largest_mm, block.state.length);
+            self.found_any(current, fault);
+        }
+        if let Some(part) = block.blank {
+            self.functions.blank(part);
+        }
+        if let Some(guard) = &block.plane_guard {
+            let fault = plane_guard::fault(guard, phase, &self.rules, &self.previous);
+            self.found_any(current, fault);
+        }
+    }
+
+    /// Changes of length compensation and planes that must not happen at the part.
+    #[inline(never)]
+    pub(super) fn modes_before_task(&mut self, phase: &Phase, current: &Current<'_>) {
+        let block = current.block;
+        self.functions.coolant(&block.state);
+        let length = std::mem::replace(&mut self.previous.length, block.state.length);
+        let tilted = std::mem::replace(&mut self.previous.tilted, block.state.tilt.is_some());
+        if !phase.is_at_part() {
+            return;
+        }
+        let facts = *self.rules.facts();
+        let changed = matches!(length, Some(Length::Register(_))) && length != block.state.length;
+        if facts.length_moves && changed && !block.action.leaves_words() {
+            self.found(
+                current,
+                "length compensation is switched off before the machine has retracted: the tool may move by its length",
+            );
+        }
+        if tilted && block.state.tilt.is_none() && !facts.plane_off_before_retract {
+            self.found(current, "the tilted plane is switched off before the machine has retracted");
+        }
+    }
+}
+
+/// Whether the machine has to retract after a line of the shop, although it was at its retract before.
+fn needs_retract(own: &OwnLine) -> bool {
+    let is_lost = matches!(own.effect, Some(Effect::Measures | Effect::PositionLost | Effect::StateLost));
+    let has_retract = |place: &OwnPlace| match place {
+        OwnPlace::MeasureTool
+        | OwnPlace::CheckTool
+        | OwnPlace::ToolStart { .. }
+        | OwnPlace::ToolEnd { .. }
+        | OwnPlace::OperationStart => true,
+        OwnPlace::Start
+        | OwnPlace::End
+        | OwnPlace::Safety
+        | OwnPlace::ToolChange
+        | OwnPlace::OperationEnd
+        | OwnPlace::Retract { .. }
+        | OwnPlace::Clamp { .. }
+        | OwnPlace::Coolant
+        | OwnPlace::TipControl { .. }
+        | OwnPlace::Insert
+        | OwnPlace::Unconfirmed => false,
+    };
+    is_lost && own.places.iter().any(has_retract)
+}

@@ -1,0 +1,404 @@
+//! Records of the CL data that are blocks of their own: tool changes, stops, dwells, NC text, probes, block skip, the end; and the
+//! order in which they act.
+
+use std::io;
+
+use super::super::expect::{ExpectedAction, ExpectedItem};
+use super::super::read::{Action, Block, OwnPlace};
+use super::super::rules::{fault_at_end, tool_name};
+use super::approach::FOR_APPROACH;
+use super::phase::{Phase, Retracted};
+use super::station::Station;
+use super::{Comparison, Current, StartState};
+use crate::check::tolerances::ROUNDED_DWELL;
+
+impl Comparison<'_> {
+    /// INSERT, codes of the CL data and statements of the shop: a block that is copied.
+    #[inline(never)]
+    pub(super) fn is_raw(&mut self, phase: &Phase, current: &Current<'_>) -> bool {
+        let here = phase.here();
+        let index = (0..).find(|index| !self.is_needless(*index, here)).unwrap_or_default();
+        let (expected, probe) = match self.progress.get(index).map(|item| &item.action) {
+            Some(ExpectedAction::Raw(text)) => (text, None),
+            Some(ExpectedAction::Probe { text, first }) => (text, Some(*first)),
+            _ => return false,
+        };
+        let (text, expected) = (current.shown.text, expected.trim_ascii_end());
+        let numbered = text.iter().position(|byte| *byte == b' ').map_or(text, |at| &text[at + 1..]);
+        if text != expected && !(current.block.number.is_some() && numbered == expected) {
+            return false;
+        }
+        match (phase, probe) {
+            (_, Some(first)) => {
+                self.probed = true;
+                self.probes(phase, first, current);
+            }
+            (Phase::Cutting(cutting), None) => self.has_left(cutting, current),
+            _ => {}
+        }
+        // The text of INSERT is not judged; a line of the configuration has an effect, of its codes or declared.
+        let judged = if current.block.own.is_some() { current.block.faults.len() } else { current.block.frame_faults };
+        for fault in &current.block.faults[..judged] {
+            self.found(current, &fault.text);
+        }
+        if current.block.action == Action::End {
+            self.found(current, "the program ends at this block of the CL data: nothing after it is executed");
+        }
+        (0..index).for_each(|_| self.progress.pass());
+        self.ends_operation(current);
+        self.compare_tool(current);
+        self.progress.pass();
+        if current.block.own.as_ref().is_some_and(|own| own.needs_standstill) {
+            self.compare_standstill(phase, current);
+        }
+        let is_first = self.previous.tool.is_none() && self.progress.last().is_none();
+        if is_first && !self.start.restarted && !self.rules.policy().shop.own_safety {
+            self.found(current, "this block comes before the first complete state of the program");
+        }
+        true
+    }
+
+    /// Work is clamped, or a door moves, with the machine retracted and the spindle off.
+    pub(super) fn compare_standstill(&mut self, phase: &Phase, current: &Current<'_>) {
+        if !phase.is_retracted() || self.shop_lines.needs_retract() {
+            self.found(
+                current,
+                "a clamp, a chuck, a door or a pallet moves here: expected the machine retract before this block",
+            );
+        }
+        if self.setters.at_block.spindle != Some(None) {
+            self.found(current, "a clamp, a chuck, a door or a pallet moves here: the spindle is not known to be off");
+        }
+    }
+
+    /// A block with which a probe measures: the first where the last motion has ended.
+    pub(super) fn probes(&mut self, phase: &Phase, first: bool, current: &Current<'_>) {
+        let state = &current.block.state;
+        if first && !matches!(phase, Phase::Cutting(_)) {
+            self.found(current, "the tool is not at the point at which the probe measures");
+        }
+        if first && state.spindle.flatten().is_some() {
+            self.found(current, "the spindle is on where a probe measures");
+        }
+        if first && state.coolant.is_some_and(|on| on != 0) {
+            self.found(current, "the coolant is on where a probe measures");
+        }
+        if first {
+            let before = &self.setters.at_block;
+            let fault = self.rules.fault_at_measuring(before, current.block, self.progress.last());
+            self.found_state(current, fault);
+        }
+    }
+
+    pub(super) fn tool_change(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Phase> {
+        let tool = current.block.state.tool;
+        self.is_parked(current);
+        self.ends_operation(current);
+        if self.progress.next().is_none_or(|item| item.required.tool != tool) {
+            self.find_again(phase, |item| item.required.tool == tool, current)?;
+        }
+        self.fill_for_approach(current)?;
+        // Records of the tool before that are lost.
+        let lost = (0..FOR_APPROACH).map_while(|index| self.progress.get(index));
+        let lost = lost.take_while(|item| item.required.tool != tool && item.motion().is_none()).count();
+        if self.progress.get(lost).is_some_and(|item| item.required.tool == tool) {
+            self.skip(lost, phase.here(), current);
+        }
+        let of_shop = current.block.own.is_some();
+        let required = self.tool_due();
+        if required == tool {
+            self.previous.tool = tool;
+        }
+        match required {
+            // The shop may end with another tool.
+            _ if of_shop && self.progress.next().is_none() => {}
+            _ if required != tool => {
+                let (tool, required) = (tool_name(tool), tool_name(required));
+                self.found(current, &format!("change to {tool}, but the CL data requires {required}"));
+            }
+            _ if !self.start.restarted => self.found(
+                current,
+                "tool change before the complete state of its operation: where the program is entered there, the tool is missing",
+            ),
+            _ => {}
+        }
+        if self.setters.at_block.spindle.flatten().is_some() {
+            self.found(current, "tool change with the spindle on");
+        }
+        let undrained = self.functions.undrained(&self.rules);
+        self.found_any(current, undrained);
+        if !phase.is_retracted() || !self.start.retracted {
+            self.found(current, "tool change before the machine has retracted");
+        } else {
+            self.is_at_station(Station::Change, current);
+        }
+        self.is_complete(phase, current);
+        self.cuts_have_ended(current);
+        // The axes were taken to where it is changed.
+        self.start.retracted &= self.rules.policy().links.tool_change_position.is_empty();
+        Ok(self.forget(phase))
+    }
+
+    /// The tool that the next record of the CL data is carried out with; after the last one the tool that has been called last.
+    pub(super) fn tool_due(&self) -> Option<u32> {
+        let mut ahead = (0..FOR_APPROACH).map_while(|index| self.progress.get(index));
+        let carried_out = ahead.find(|item| !matches!(item.action, ExpectedAction::BlockSkip { .. }));
+        carried_out.map_or(self.progress.last_tool(), |item| item.required.tool)
+    }
+
+    /// Whether the tool with which a record is carried out is in the spindle, as far as that is known.
+    pub(super) fn is_with_tool(&self, item: &ExpectedItem, block: &Block) -> bool {
+        let (tool, required) = (block.state.tool, item.required.tool);
+        tool == required || tool.is_none() && self.previous.tool.is_some()
+    }
+
+    /// Records act in the order of the CL data: a tool is changed before the records after its call.
+    pub(super) fn compare_tool(&mut self, current: &Current<'_>) {
+        let Some(item) = self.progress.next() else { return };
+        if !self.is_with_tool(item, current.block) {
+            let (tool, required) = (tool_name(current.block.state.tool), tool_name(item.required.tool));
+            let text =
+                format!("this block comes with {tool} in the spindle, its record in the CL data with {required}");
+            self.found(current, &text);
+        }
+    }
+
+    /// Tool of the next motion, as far as an approach looks ahead; `None` without a motion there.
+    pub(super) fn tool_of_next_motion(&self) -> Option<Option<u32>> {
+        let mut ahead = (0..FOR_APPROACH).map_while(|index| self.progress.get(index));
+        // Behind as many other items, such as dwells, their tool is that of the motion.
+        let last = self.progress.get(FOR_APPROACH - 1);
+        ahead.find(|item| item.motion().is_some()).or(last).map(|item| item.required.tool)
+    }
+
+    /// Whether OPSKIP comes before the next motion.
+    pub(super) fn skips_before_next_motion(&self) -> bool {
+        let ahead = (0..FOR_APPROACH).map_while(|index| self.progress.get(index));
+        let mut before = ahead.take_while(|item| item.motion().is_none());
+        before.any(|item| matches!(item.action, ExpectedAction::BlockSkip { .. }))
+    }
+
+    /// Where the program has been lost, it continues at the next item that suits.
+    pub(super) fn find_again(
+        &mut self,
+        phase: &mut Phase,
+        suits: impl Fn(&ExpectedItem) -> bool,
+        current: &Current<'_>,
+    ) -> io::Result<()> {
+        if self.progress.is_lost()
+            && let Some(count) = self.progress.find(suits)?
+        {
+            self.skip(count, phase.here(), current);
+            self.progress.set_lost(false);
+        }
+        Ok(())
+    }
+
+    /// Reports dwells of the CL data that are not in the program before a block; `all`: those between operations as well.
+    pub(super) fn missing_dwells(&mut self, current: &Current<'_>, all: bool) {
+        while let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds, between, .. }, .. }) =
+            self.progress.next()
+        {
+            if *between && !all {
+                return;
+            }
+            self.found(current, &format!("the dwell of {seconds} s before this block is missing"));
+            self.progress.take();
+        }
+    }
+
+    pub(super) fn dwell(&mut self, phase: &mut Phase, seconds: f64, current: &Current<'_>) -> io::Result<()> {
+        self.pass_needless(phase)?;
+        if let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds: expected, spindle, .. }, required, .. }) =
+            self.progress.next()
+            && (expected - seconds).abs() <= ROUNDED_DWELL
+        {
+            let waits = spindle.is_some_and(|_| !self.rules.spindle_is(&current.block.state, *spindle));
+            let waits_with = *spindle;
+            let spindles = std::iter::once(required.spindle).chain(self.progress.requested_spindle());
+            let runs = spindles.into_iter().any(|spindle| self.rules.spindle_is(&current.block.state, spindle));
+            self.compare_tool(current);
+            self.progress.take();
+            if waits_with.is_some() {
+                phase.start_spindle();
+                self.functions.wait_with(waits_with);
+            }
+            let dry = self.rules.policy().links.dry_lift_mm.is_some();
+            if !dry && (waits || matches!(phase, Phase::Cutting(_)) && !runs) {
+                self.found(current, "dwell with the spindle off, or at another speed or sense than in the CL data");
+            }
+            return Ok(());
+        }
+        if !phase.is_at_part() && self.shop_lines.has(current.shown.text) {
+            return Ok(());
+        }
+        if phase.is_retracted() && self.functions.drain(seconds, &self.rules) {
+            return Ok(());
+        }
+        let spindle = self.rules.policy().links.spindle_dwell_s;
+        if spindle <= 0.0 || (spindle - seconds).abs() > ROUNDED_DWELL {
+            self.found(current, &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"));
+        }
+        Ok(())
+    }
+
+    /// M0 and M1.
+    pub(super) fn stop(
+        &mut self,
+        phase: &mut Phase,
+        optional: bool,
+        current: &Current<'_>,
+    ) -> io::Result<Option<Phase>> {
+        self.pass_needless(phase)?;
+        let suits = |item: &ExpectedItem| matches!(item.action, ExpectedAction::Stop { optional: expected } if expected == optional);
+        self.find_again(phase, suits, current)?;
+        let begins = self.tally.motions() == 0;
+        let may_stop = |place: &OwnPlace| match place {
+            OwnPlace::Start => begins,
+            OwnPlace::ToolChange
+            | OwnPlace::ToolStart { .. }
+            | OwnPlace::ToolEnd { .. }
+            | OwnPlace::MeasureTool
+            | OwnPlace::CheckTool
+            | OwnPlace::OperationStart
+            | OwnPlace::OperationEnd
+            | OwnPlace::End => phase.is_retracted(),
+            _ => false,
+        };
+        let of_shop = current.block.own.as_ref().is_some_and(|own| own.places.iter().any(may_stop));
+        match self.progress.next() {
+            Some(item) if suits(item) => {
+                self.compare_tool(current);
+                self.progress.take();
+            }
+            // The shop stops where the program and its operations start and end, and at its tool changes.
+            _ if of_shop => return Ok(None),
+            _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
+        }
+        self.functions.wait_with(None);
+        self.ends_operation(current);
+        self.cuts_have_ended(current);
+        self.is_parked(current);
+        if phase.is_at_part() {
+            let fault = self.functions.end_of_cuts(&self.rules);
+            self.found_any(current, fault);
+        }
+        let retracts = self.rules.policy().links.retracts_for_stop;
+        // After the stop the retract axis moves from the position of the tool.
+        if let Phase::Cutting(cutting) = &*phase
+            && !retracts
+            && !self.rules.retracts_along_tool()
+        {
+            self.has_left(cutting, current);
+        }
+        if retracts && !phase.is_retracted() {
+            self.found(current, "program stop before the machine has retracted");
+        }
+        if retracts {
+            self.found_state(current, fault_at_end(current.block));
+        }
+        self.is_complete(phase, current);
+        match self.forget(phase) {
+            Phase::Unknown { stopped } => Ok(Some(Phase::Unknown { stopped: stopped || retracts })),
+            other => Ok(Some(other)),
+        }
+    }
+
+    /// Blocks that may be skipped begin and end where OPSKIP does, with the machine retracted. What is in force after them is what
+    /// the reader knows whether they were executed or not.
+    pub(super) fn block_skip(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<()> {
+        let on = current.block.skippable;
+        let is = |index: usize, on: bool| {
+            matches!(self.progress.get(index), Some(ExpectedItem { action: ExpectedAction::BlockSkip { on: expected }, .. })
+                if *expected == on)
+        };
+        if !on && !self.skippable && self.progress.has_records_ahead() && is(0, true) && is(1, false) {
+            // Nothing comes between them.
+            self.progress.take();
+            self.progress.take();
+        }
+        if std::mem::replace(&mut self.skippable, on) == on { Ok(()) } else { self.change_block_skip(phase, current) }
+    }
+
+    /// The first block that may be skipped, or that may no longer.
+    #[inline(never)]
+    pub(super) fn change_block_skip(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<()> {
+        let on = current.block.skippable;
+        self.pass_needless(phase)?;
+        match self.progress.next().map(|item| &item.action) {
+            Some(ExpectedAction::BlockSkip { on: expected }) if *expected == on => self.progress.take(),
+            // Without OPSKIP/OFF they end with the CL data.
+            None if !on => {}
+            _ if on => {
+                self.found(current, "the operator may skip this block (`/`), without OPSKIP/ON in the CL data here")
+            }
+            _ => self.found(current, "this block is always executed (no `/`), without OPSKIP/OFF in the CL data here"),
+        }
+        self.cuts_have_ended(current);
+        self.ends_operation(current);
+        for missing in self.shop_lines.skip() {
+            self.found(current, &missing);
+        }
+        self.is_parked(current);
+        self.is_complete(phase, current);
+        if phase.is_at_part() {
+            let text = "blocks that may be skipped begin and end with the machine retracted: expected the retract before this block";
+            self.found(current, text);
+            let fault = self.functions.end_of_cuts(&self.rules);
+            self.found_any(current, fault);
+        }
+        if self.previous.runs {
+            let text = "blocks that may be skipped begin and end with spindle and coolant off: one of them is on before this block";
+            self.found(current, text);
+        }
+        self.previous.known &= current.block.known_before;
+        // A complete state that may be skipped, or that came before, is none for what comes after.
+        self.start = StartState::default();
+        self.functions.restart();
+        self.forget(phase);
+        *phase = match phase.is_retracted() {
+            true => Phase::Retracted(Box::new(Retracted { stopped: true, ..Retracted::default() })),
+            false => Phase::Unknown { stopped: true },
+        };
+        Ok(())
+    }
+
+    /// The end code.
+    pub(super) fn end(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Phase> {
+        self.progress.fill(1)?;
+        self.pass_needless(phase)?;
+        if self.progress.next().is_some() {
+            self.found(current, "end code before the end of the CL data");
+        } else if let Some(last) = self.progress.last_tool().filter(|_| self.progress.last_tool() != self.previous.tool)
+        {
+            self.found(current, &format!("the CL data ends with a call of T{last}: the tool change is missing"));
+        }
+        if self.skippable {
+            self.found(current, "the operator may skip the end code (`/`)");
+        }
+        if !phase.is_retracted() || self.shop_lines.needs_retract() {
+            self.found(current, "end code before the machine has retracted");
+        }
+        for missing in self.shop_lines.end() {
+            self.found(current, &missing);
+        }
+        self.found_state(current, fault_at_end(current.block));
+        self.is_complete(phase, current);
+        self.cuts_have_ended(current);
+        self.parking_positions(current);
+        Ok(Phase::Ended)
+    }
+
+    /// A record ends the operation: the lines of the shop for that have come.
+    pub(super) fn ends_operation(&mut self, current: &Current<'_>) {
+        for missing in self.shop_lines.end_operation() {
+            self.found(current, &missing);
+        }
+    }
+
+    /// The cuts before the last retract do not go on: it was no rewind.
+    pub(super) fn cuts_have_ended(&mut self, current: &Current<'_>) {
+        let fault = self.functions.end_of_interrupted(&self.rules);
+        self.found_any(current, fault);
+    }
+}
