@@ -66,8 +66,14 @@ impl Posted {
     }
 }
 
+/// Number and text of a line.
+type Numbered = (u64, Vec<u8>);
+
+/// What is wrong at a line.
+type AtLine = (u64, String);
+
 /// Takes one edit back. Returns the number and the text of its line; `None` where the block is as posted.
-fn undo(edit: &MeantEdit, lines: &mut [Vec<u8>], family: Family) -> Result<Option<(u64, Vec<u8>)>, (u64, String)> {
+fn undo(edit: &MeantEdit, lines: &mut [Vec<u8>], family: Family) -> Result<Option<Numbered>, AtLine> {
     let (first, last) = match edit.block {
         EditedBlock::Line(line) => {
             let index = usize::try_from(line).ok().and_then(|line| line.checked_sub(1));
@@ -132,7 +138,7 @@ fn is_number_alone(line: &[u8]) -> bool {
 }
 
 /// The first line of the block of a number, and that behind its last.
-fn block_of(number: u64, lines: &[Vec<u8>], family: Family) -> Result<(usize, usize), (u64, String)> {
+fn block_of(number: u64, lines: &[Vec<u8>], family: Family) -> Result<(usize, usize), AtLine> {
     let of_line = |line: &Vec<u8>| number_of(line, family);
     let mut found = (0..lines.len()).filter(|index| of_line(&lines[*index]) == Some(number));
     let first =

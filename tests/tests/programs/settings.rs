@@ -79,6 +79,11 @@ const NOT_STATED: &[&str] = &[
     "tool_posture",
     "transition",
     "feed.",
+    "coolant.through_dwell",
+    // Edits that are meant: of a program, not of CL data.
+    "check.edits",
+    "check.feed_factor",
+    "check.speed_factor",
     // Whether and how records are carried out that have no effect of their own.
     "cl.allow_lintol",
     "cl.auxfun",

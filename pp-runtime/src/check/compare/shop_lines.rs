@@ -29,6 +29,8 @@ pub(super) struct ShopLines {
     has_ended: bool,
     /// An operation has begun and not ended.
     in_operation: bool,
+    /// A record has ended it since the last approach.
+    has_left: bool,
 }
 
 impl ShopLines {
@@ -48,6 +50,7 @@ impl ShopLines {
             has_cut: false,
             has_ended: false,
             in_operation: false,
+            has_left: false,
         }
     }
 
@@ -107,13 +110,15 @@ impl ShopLines {
         let mut missing = Vec::new();
         self.has_cut = true;
         let has_ended = std::mem::take(&mut self.has_ended);
+        let has_left = std::mem::take(&mut self.has_left);
         if starts {
-            let open = std::mem::replace(&mut self.in_operation, true);
+            // What has come for the end of the one is not at the start of the other.
+            let open = std::mem::replace(&mut self.in_operation, true) || has_left;
             let before = self.last_tool.replace((tool, register)).map(|(tool, _)| tool);
             let changes = tool.is_some() && before != Some(tool);
             let measured = changes && tool.is_some_and(|tool| self.measured.contains(&tool));
-            let checked = changes && self.is_checked(before);
-            let ends = |of| changes && before == Some(Some(of));
+            let checked = (changes || has_ended) && self.is_checked(before);
+            let ends = |of| (changes || has_ended) && before == Some(Some(of));
             missing = self.missing("before this operation", |place| match place {
                 OwnPlace::Start => before.is_none(),
                 OwnPlace::OperationEnd => open,
@@ -133,7 +138,10 @@ impl ShopLines {
     /// A record that ends the operation is carried out: what is missing before it.
     pub(super) fn end_operation(&mut self) -> Vec<String> {
         match std::mem::take(&mut self.in_operation) {
-            true => self.missing("at the end of its operation", |place| place == OwnPlace::OperationEnd),
+            true => {
+                self.has_left = true;
+                self.missing("at the end of its operation", |place| place == OwnPlace::OperationEnd)
+            }
             false => Vec::new(),
         }
     }
@@ -156,7 +164,7 @@ impl ShopLines {
 
     /// The end code: what is missing before it.
     pub(super) fn end(&mut self) -> Vec<String> {
-        let open = std::mem::take(&mut self.in_operation);
+        let open = std::mem::take(&mut self.in_operation) || self.has_left;
         let tool = self.last_tool.map(|(tool, _)| tool);
         let checked = self.is_checked(tool);
         self.missing("before the end code", |place| match place {

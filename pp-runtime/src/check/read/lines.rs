@@ -9,6 +9,9 @@ use super::text::GOES_ON;
 /// A line longer than this is no line of a program, bytes.
 pub(super) const LONGEST: usize = 1 << 16;
 
+/// Text that is kept of a longer line, for messages, bytes.
+const SHOWN: usize = 256;
+
 /// Text that is kept for a jump back where no loop or call is open, bytes.
 const FARTHEST_BACK: usize = 128 << 10;
 
@@ -205,6 +208,9 @@ impl<P: Pieces> Lines<P> {
                 line.truncate(LONGEST);
             }
             if !goes_on {
+                if long {
+                    line.truncate(SHOWN);
+                }
                 return Ok(Some(LineKind { number: self.number, long, joined, misnumbered: false }));
             }
             // It separates the parameters of a cycle, and a `~` anywhere else is text.

@@ -92,6 +92,8 @@ pub struct Planner<'a, S> {
     in_operation: bool,
     /// Blocks of the shop that come before the approach to the next motion.
     at_approach: Vec<Vec<u8>>,
+    /// Name of the operation that begins, and its record, until it is known whether the tool leaves the part before.
+    name_due: Option<(Location, Vec<u8>)>,
 }
 
 /// A motion, and the next one where the approach depends on it.
@@ -139,6 +141,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             linked: false,
             in_operation: false,
             at_approach: Vec::new(),
+            name_due: None,
         }
     }
 
@@ -283,6 +286,8 @@ impl<'a, S: Sink> Planner<'a, S> {
     fn begin(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         records::come_to_approach(self)?;
         self.linked = index.begins == Begins::Linked;
+        let continues = self.continues();
+        records::come_to_name(self, !continues)?;
         self.mover.output_mut().set_reason(BlockReason::Record);
         self.modes.reach(index.stretch);
         if self.continues() {

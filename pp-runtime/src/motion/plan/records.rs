@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 
 use crate::motion::options::{OptionalStops, StretchMode, Transition};
 use crate::program::{
-    BlockPlace, Dwell, Event, Interruption, MachineFunction, NewStart, ReferenceGeometry, RotaryDirection, TextKind,
-    ToolCall, is_nc_text,
+    BlockPlace, Dwell, Event, Interruption, Location, MachineFunction, NewStart, ReferenceGeometry, RotaryDirection,
+    TextKind, ToolCall, is_nc_text,
 };
 
 use crate::motion::fault::{Fault, Planned};
@@ -55,6 +55,21 @@ pub(crate) fn come_to_approach<S: Sink>(planner: &mut Planner<'_, S>) -> Planned
     Ok(())
 }
 
+/// Writes the name of the operation that begins, which has waited for its first motion. `leaves`: the one before ends with its
+/// retract, whose blocks come before the name.
+pub(crate) fn come_to_name<S: Sink>(planner: &mut Planner<'_, S>, leaves: bool) -> Planned {
+    let Some((at, name)) = planner.name_due.take() else { return Ok(()) };
+    let now = planner.mover.output().location();
+    planner.mover.output_mut().serve(at, BlockReason::Record);
+    let mut records = Records { planner, between: true };
+    if leaves {
+        records.end_operation()?;
+    }
+    records.write_name(at, &name)?;
+    planner.mover.output_mut().serve(now, BlockReason::Record);
+    Ok(())
+}
+
 /// Whether a block is this line, or has this word.
 fn stands(block: &str, word: &str) -> bool {
     block.trim() == word || block.split_whitespace().any(|one| one == word)
@@ -64,6 +79,13 @@ impl<S: Sink> Records<'_, '_, S> {
     fn take(&mut self, event: &Event<'_>) -> Planned {
         if self.between {
             self.planner.end_operation()?;
+        }
+        match *event {
+            Event::NewStart(NewStart::Operation(_) | NewStart::Tool(_)) => {}
+            Event::NewStart(_) | Event::Interruption(_) => come_to_name(self.planner, true)?,
+            Event::Function(MachineFunction::Delay(_)) => come_to_name(self.planner, true)?,
+            Event::Text(TextKind::Message, _) => come_to_name(self.planner, false)?,
+            _ => {}
         }
         match *event {
             Event::Interruption(Interruption::Insert(text, place)) => return self.shop_block(text, place),
@@ -93,6 +115,7 @@ impl<S: Sink> Records<'_, '_, S> {
                     ReferenceGeometry::ClearancePlane(plane) => {
                         let auto = self.planner.policy.options.rapids.transition == Transition::Auto;
                         if auto && self.between && self.planner.clearance.changes(plane) {
+                            come_to_name(self.planner, true)?;
                             self.leave()?;
                         }
                         self.planner.clearance.set_plane(plane);
@@ -246,17 +269,30 @@ impl<S: Sink> Records<'_, '_, S> {
     /// TOOL PATH.
     fn name_operation(&mut self, name: &[u8]) -> Planned {
         self.stop_after_operation(false)?;
+        come_to_name(self.planner, true)?;
+        let at = self.planner.mover.output().location();
         if !self.planner.may_stay() {
-            self.leave()?;
-            // The retract belongs to the operation before, so its blocks come before the name of this one.
-            if self.planner.retracts_before_restart() {
-                self.planner.mover.machine_retract()?;
-                self.planner.mover.output_mut().set_reason(BlockReason::Record);
-            }
+            self.end_operation()?;
+        } else if self.planner.policy.options.rapids.transition == Transition::Auto {
+            // Its first motion decides whether the tool leaves the part before.
+            self.planner.name_due = Some((at, name.to_vec()));
+            return Ok(());
         }
-        let output = self.planner.mover.output_mut();
-        let at = output.location();
-        output.times_mut().operation(at, name);
+        self.write_name(at, name)
+    }
+
+    /// The tool leaves the part. The retract belongs to the operation before, so its blocks come before the name of the next one.
+    fn end_operation(&mut self) -> Planned {
+        self.leave()?;
+        if self.planner.retracts_before_restart() {
+            self.planner.mover.machine_retract()?;
+            self.planner.mover.output_mut().set_reason(BlockReason::Record);
+        }
+        Ok(())
+    }
+
+    fn write_name(&mut self, at: Location, name: &[u8]) -> Planned {
+        self.planner.mover.output_mut().times_mut().operation(at, name);
         self.announce(&Step::Operation { name })
     }
 
@@ -265,6 +301,9 @@ impl<S: Sink> Records<'_, '_, S> {
         let tool = self.resolve(call)?;
         let (next, current) = (self.planner.tooling.next(), self.planner.tooling.current());
         let other = next.or(current).is_none_or(|known| known.number != tool.number);
+        if other {
+            come_to_name(self.planner, true)?;
+        }
         self.stop_after_operation(other || self.planner.tooling.changes_if_skipped(tool.number))?;
         let direct = self.planner.policy.options.rapids.transition == Transition::Direct;
         if other || direct || !self.planner.may_stay() {

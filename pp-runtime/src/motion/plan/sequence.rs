@@ -510,6 +510,7 @@ impl<S: Sink> Planner<'_, S> {
     pub(crate) fn end(&mut self, at: Location) -> Planned {
         if !self.selection.is_over() {
             self.mover.output_mut().serve(at, BlockReason::Record);
+            records::come_to_name(self, true)?;
             records::come_to_approach(self)?;
             self.skip_blocks(false)?;
         }
