@@ -28,7 +28,7 @@ const SOURCES: [&str; 7] = [
 ];
 
 /// Hints that no case can follow, and why.
-const NOT_FOLLOWED: [(&str, &str); 15] = [
+const NOT_FOLLOWED: [(&str, &str); 16] = [
     ("output the CL data as text (APT source, CLS)", "a scenario is text"),
     ("whether its line ends were lost", "a statement of a megabyte"),
     ("output one file for each set-up", "a file with a hundred frames"),
@@ -41,6 +41,7 @@ const NOT_FOLLOWED: [(&str, &str); 15] = [
     ("give `[tools.N] length`", "a machine with rotary axes in the head and in the table"),
     ("measure {them} at the machine", "a machine with a dimension that has no default"),
     ("`{name} = ...`", "the same hint"),
+    ("`{key} = \"\"` says that there is none", "an edit in a list, to which a case can only add"),
     ("{machine} has no rotary axis", "a machine without rotary axes"),
     ("move this axis to its positions by hand", "of `explain --proof-program`, which has no CL data"),
     ("give it in the configuration: `[limits]", "of `explain --proof-program`, which has no CL data"),

@@ -60,7 +60,9 @@ impl Comparison<'_> {
             return;
         }
         let StartState { restarted, retracted } = self.start;
-        let begun = retracted && (restarted || self.rules.policy().shop.own_safety);
+        // A line before it may have lost the retract.
+        let begun =
+            (retracted || self.shop_lines.needs_retract()) && (restarted || self.rules.policy().shop.own_safety);
         let tool = current.block.state.tool;
         if !begun || tool.is_some() && tool != self.tool_due() {
             self.found(

@@ -20,8 +20,8 @@ pub(super) fn moves_rotary(
     let before = rules.words().values(&previous.words);
     let largest = ROUNDED_WORD * rules.rounding().unit_rad;
     let there = |index: usize, place: f64| apart(values[index], place) <= largest;
-    let known = |index: usize| previous.known & (1 << index) != 0;
-    let nearer = |index: usize, place: f64| known(index) && apart(values[index], place) < apart(before[index], place);
+    // An axis whose angle blocks of the shop have made unknown may be where it was.
+    let nearer = |index: usize, place: f64| apart(values[index], place) < apart(before[index], place);
     // A word of the place where an axis is moves nothing.
     let turned = rules.moved(&previous.words, previous.known, block);
     let moves = if turned == 0 { block.written } else { turned };

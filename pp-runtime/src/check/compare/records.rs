@@ -391,6 +391,10 @@ impl Comparison<'_> {
 
     /// A record ends the operation: the lines of the shop for that have come.
     pub(super) fn ends_operation(&mut self, current: &Current<'_>) {
+        // A stop that both have comes twice, and which of the two is the one of the shop cannot be seen.
+        if current.block.own.as_ref().is_some_and(|own| own.places.contains(&OwnPlace::OperationEnd)) {
+            return;
+        }
         for missing in self.shop_lines.end_operation() {
             self.found(current, &missing);
         }

@@ -400,6 +400,8 @@ struct PlacedLine {
     /// As in [`Vocabulary::own`].
     text: Vec<u8>,
     place: OwnPlace,
+    /// All its codes are the control's: a program has them at other places as well.
+    common: bool,
     /// How often it has come, for whatever place.
     times: usize,
 }
@@ -428,7 +430,13 @@ impl PlacedLines {
                 && is_block(&own.text)
         };
         let placed = vocabulary.own.iter().filter(is_written);
-        let lines = placed.map(|own| PlacedLine { text: own.text.clone(), place: own.place, times: 0 }).collect();
+        let line = |own: &OwnText| PlacedLine {
+            text: own.text.clone(),
+            place: own.place,
+            common: is_read(&own.text, &vocabulary),
+            times: 0,
+        };
+        let lines = placed.map(line).collect();
         Self { lines, facts, bare: Bare::default() }
     }
 
@@ -441,7 +449,8 @@ impl PlacedLines {
             matches!(place, OwnPlace::Start | OwnPlace::End | OwnPlace::OperationStart | OwnPlace::OperationEnd)
         };
         let of_text = || self.lines.iter().filter(|own| matches(&own.text, text));
-        of_text().all(|own| once(own.place) && own.times > of_text().count()) && of_text().count() > 0
+        let too_often = |own: &PlacedLine| once(own.place) && !own.common && own.times > of_text().count();
+        of_text().all(too_often) && of_text().count() > 0
     }
 
     /// Takes a line of the program that comes with this tool in the spindle. Returns whether it is one of other tools alone.

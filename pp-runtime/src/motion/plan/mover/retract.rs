@@ -96,7 +96,7 @@ impl<S: Sink> Mover<'_, S> {
         };
         let by_plane = entry.is_some_and(|entry| entry.is_in_plane());
         let plane = self.placer.mode() == StretchMode::Plane || by_plane;
-        self.home_before_rotation(above)?;
+        self.home_before_rotation(above, false)?;
         // Where an axis is elsewhere than known, its word in the block rotates it.
         let all = plane || !self.position.knows_rotary_axes();
         self.clamps.open(&self.position.place().words, &above.words, all, &mut self.output)?;
@@ -133,11 +133,11 @@ impl<S: Sink> Mover<'_, S> {
     }
 
     /// Moves the linear axes other than the retract axis to their home positions, where the rotary axes may rotate on the way to
-    /// a place and the configuration asks for it.
-    fn home_before_rotation(&mut self, to: &AxisPosition) -> Planned {
+    /// a place and the configuration asks for it; `unsure`: they may rotate although the place has their angles.
+    fn home_before_rotation(&mut self, to: &AxisPosition, unsure: bool) -> Planned {
         let (retract, rotary) = (&self.policy.options.retract, self.placer.rotary_mask());
         let rotates = |index: usize| self.position.place().words[index] != to.words[index];
-        let rests = self.position.knows_rotary_axes() && !indices(rotary).any(rotates);
+        let rests = !unsure && self.position.knows_rotary_axes() && !indices(rotary).any(rotates);
         if !retract.home_on_indexing || rotary == 0 || rests {
             return Ok(());
         }
@@ -200,7 +200,8 @@ impl<S: Sink> Mover<'_, S> {
     fn take_axes_to(&mut self, positions: &BTreeMap<char, f64>) -> Result<Option<AxisPosition>, ItemError> {
         let (turned, mask) = self.placer.parked(positions, self.position.place())?;
         if mask != 0 {
-            self.home_before_rotation(&turned)?;
+            // Behind tool vectors the control has the angles, and these words may rotate the axes.
+            self.home_before_rotation(&turned, self.placer.writes_vectors())?;
             self.clamps.switch(mask, false, &mut self.output)?;
             self.rotate_alone(&turned, mask)?;
             self.clamps.switch(mask, true, &mut self.output)?;
