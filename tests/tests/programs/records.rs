@@ -98,7 +98,7 @@ fn job(random: &mut Random) -> (String, Vec<String>) {
             lines.push(format!("GOTO/{place},7,{z},0,0,1"));
         }
         for line in lines {
-            if !line.starts_with("GOTO") || !data.last().is_some_and(|last| last == "RAPID") {
+            if !line.starts_with("GOTO") || data.last().is_none_or(|last| last != "RAPID") {
                 record(random, &mut data, &mut order, &mut waiting, &mut due, &mut tool);
             }
             if line.starts_with("GOTO") {
