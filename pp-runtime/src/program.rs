@@ -589,7 +589,7 @@ pub enum Interruption<'a> {
     },
 }
 
-/// Where a block of the shop comes that stands between the call of a tool and the motion after it: `at` in `[cl.words]`.
+/// Where a block of the shop comes that comes between the call of a tool and the motion after it: `at` in `[cl.words]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum BlockPlace {
     /// Not stated: records act in the order of the CL data, after the tool change.

@@ -91,7 +91,7 @@ fn undo(edit: &MeantEdit, lines: &mut [Vec<u8>], family: Family) -> Result<Optio
         !edit.old.is_empty() && (first..last).any(|line| places(&lines[line], edit.old.as_bytes()).count() > 0);
     let (line, at) = match (found.as_slice(), edit.new.is_empty()) {
         ([_, _, ..], false) => {
-            return Err((named, format!("`{}` of `[[check.edits]]` stands more than once in this block", edit.new)));
+            return Err((named, format!("`{}` of `[[check.edits]]` is more than once in this block", edit.new)));
         }
         (_, _) if has_old && (found.is_empty() || edit.new.is_empty()) => return Ok(None),
         ([one], false) => *one,
@@ -122,7 +122,7 @@ fn undo(edit: &MeantEdit, lines: &mut [Vec<u8>], family: Family) -> Result<Optio
     Ok(Some((line as u64 + 1, edited)))
 }
 
-/// Places at which a text stands in a line: it ends where a word ends.
+/// Places of a text in a line, where it ends with a word.
 fn places<'l>(line: &'l [u8], text: &'l [u8]) -> impl Iterator<Item = usize> + 'l {
     let found = memchr::memmem::find_iter(line, text);
     found.filter(move |at| {
@@ -137,7 +137,7 @@ fn is_number_alone(line: &[u8]) -> bool {
     line.trim_ascii().iter().all(|byte| byte.is_ascii_digit() || matches!(byte, b'N' | b'n'))
 }
 
-/// The first line of the block of a number, and that behind its last.
+/// The first line of the block with a number, and the line after its last.
 fn block_of(number: u64, lines: &[Vec<u8>], family: Family) -> Result<(usize, usize), AtLine> {
     let of_line = |line: &Vec<u8>| number_of(line, family);
     let mut found = (0..lines.len()).filter(|index| of_line(&lines[*index]) == Some(number));

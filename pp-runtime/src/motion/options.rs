@@ -130,7 +130,7 @@ options! {
 pub struct StandstillWord {
     /// The word, or the whole line.
     pub text: String,
-    /// Name of its effect: work is clamped, a door moves; `None` where nobody has confirmed that it is harmless.
+    /// Name of its effect: work is clamped, a door moves; `None` where it is not confirmed to be harmless.
     pub effect: Option<&'static str>,
 }
 

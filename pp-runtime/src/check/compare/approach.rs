@@ -140,7 +140,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// Tip control and planes do not change after linear axes have moved, and all rotary words stand after a plane call.
+    /// Tip control and planes do not change after linear axes have moved, and all rotary words come after a plane call.
     fn compare_frame_of_step(&mut self, retracted: &mut Retracted, step: ApproachStep, current: &Current<'_>) {
         let block = current.block;
         let (retract, rotary) = (1 << self.rules.words().retract(), self.rules.words().rotary_bits());

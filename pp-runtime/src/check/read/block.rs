@@ -166,7 +166,7 @@ pub enum OwnPlace {
     },
     /// Text of INSERT, AUXFUN, PREFUN, or of a statement of the shop.
     Insert,
-    /// The same, and nobody has confirmed that a code in it which is declared "none" is harmless.
+    /// The same, and a code in it that is declared "none" is not confirmed to be harmless.
     Unconfirmed,
 }
 

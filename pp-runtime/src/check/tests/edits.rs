@@ -107,7 +107,7 @@ fn factors_permit_a_larger_f_and_another_s() {
 fn an_edit_reaches_as_far_as_its_word_and_no_other() {
     let program = posted_right::<Mill>("fanuc", Mode::Axes, SET_UP, DATA);
     let (keys, changed) = edited(&program, "F1200.", "F1100.");
-    // A second edit that nobody has listed.
+    // A second edit that is not listed.
     let (_, both) = edited(&changed, "X20.", "X20.5");
     assert_ne!(found("fanuc", &keys, &both).0, [""; 0]);
     // A list for another program.

@@ -156,7 +156,7 @@ fn the_place_of_a_chuck_after_a_call_must_be_stated() {
     let help = fault.help.unwrap_or_default();
     assert!(fault.text.contains("between the call of T2"), "{}", fault.text);
     assert!(["before_change", "after_change", "at_approach"].iter().all(|place| help.contains(place)), "{help}");
-    // With no call before it, it comes where it stands.
+    // With no call before it, it comes in the order of the CL data.
     let before =
         RECORDS_AFTER_A_CALL.replace("AUXFUN/77\nCHUCK/OPEN\n", "").replace("LOADTL/2", "CHUCK/OPEN\nLOADTL/2");
     let program = posted_right::<Mill>("fanuc", Mode::Axes, &set_up, &before);

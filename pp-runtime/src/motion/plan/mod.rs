@@ -290,7 +290,7 @@ impl<'a, S: Sink> Planner<'a, S> {
         records::come_to_name(self, !continues)?;
         self.mover.output_mut().set_reason(BlockReason::Record);
         self.modes.reach(index.stretch);
-        if self.continues() {
+        if continues {
             self.prepare_directly(ahead.motion)?;
         }
         let planned = self.apply_course_changes(ahead.motion, index)?;

@@ -82,19 +82,15 @@ impl<S: Sink> Records<'_, '_, S> {
         }
         match *event {
             Event::NewStart(NewStart::Operation(_) | NewStart::Tool(_)) => {}
-            Event::NewStart(_) | Event::Interruption(_) => come_to_name(self.planner, true)?,
-            Event::Function(MachineFunction::Delay(_)) => come_to_name(self.planner, true)?,
+            Event::NewStart(_) | Event::Interruption(_) | Event::Function(MachineFunction::Delay(_)) => {
+                come_to_name(self.planner, true)?;
+            }
             Event::Text(TextKind::Message, _) => come_to_name(self.planner, false)?,
             _ => {}
         }
-        match *event {
-            Event::Interruption(Interruption::Insert(text, place)) => return self.shop_block(text, place),
-            Event::Interruption(Interruption::Code { letter, number, place }) => {
-                return self.shop_block(format!("{}{number}", char::from(letter)).as_bytes(), place);
-            }
-            _ => {}
-        }
-        if event.writes_block() {
+        // A block of the shop has a place of its own.
+        let of_shop = matches!(event, Event::Interruption(Interruption::Insert(..) | Interruption::Code { .. }));
+        if event.writes_block() && !of_shop {
             self.planner.carry_out_call()?;
             if !matches!(event, Event::Text(..)) {
                 self.begin_program()?;
@@ -105,7 +101,9 @@ impl<S: Sink> Records<'_, '_, S> {
             Event::Motion(_) => Ok(()),
             Event::NewStart(start) => self.new_start(start),
             Event::Interruption(interruption) => {
-                self.planner.spindle.hold();
+                if !of_shop {
+                    self.planner.spindle.hold();
+                }
                 self.interruption(interruption)
             }
             Event::Function(function) => self.function(function),
@@ -198,7 +196,7 @@ impl<S: Sink> Records<'_, '_, S> {
             return Ok(());
         };
         let fault = Fault::new(format_args!(
-            "`{}` (effect \"{}\") stands between the call of T{} and the motion after it: before the tool change or after it is not \
+            "`{}` (effect \"{}\") comes between the call of T{} and the motion after it: before the tool change or after it is not \
              stated",
             text.trim(),
             effect,
