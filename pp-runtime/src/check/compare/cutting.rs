@@ -14,6 +14,7 @@ use super::super::geometry::{PathShape, Segment, ToolPose, angle_between, is_wit
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, MAX_AXES, Side};
 use super::super::rules::{Deviation, DeviationBound, LinkForm, ModalContext, StateFault, Stroke};
+use super::hole::lean_of_words;
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
 use super::{Comparison, Current, Previous, retract};
@@ -187,7 +188,7 @@ impl Comparison<'_> {
             }
             let (arrival, words) = (self.progress.arrival(here, chords), &self.previous.words);
             let share = self.rules.share_done(&part.segment, rapid, block, (words, end), &arrival);
-            let over_hole = hole.as_ref().and_then(|hole| self.share_over_hole(&part, hole, end));
+            let over_hole = hole.as_ref().and_then(|hole| self.share_over_hole(&part, hole, (block, end)));
             if let Some(share) = over_hole.filter(|share| *share >= 1.0).or(share).or(over_hole) {
                 part.share = share;
                 self.travelled(cutting, current, end, &part);
@@ -227,13 +228,15 @@ impl Comparison<'_> {
 
     /// Share of a rapid to a hole or on its axis that a block has done: it may stop on its way down, because a cycle of the control
     /// returns to where it began. Words across the tool are those of the clearance level at every height; from there words along
-    /// it follow the axis that the machine has.
-    fn share_over_hole(&self, part: &Part, hole: &ExpectedHole, end: &ToolPose) -> Option<f64> {
+    /// it follow the axis that the machine has. Its tolerance holds for what both lead off each other.
+    fn share_over_hole(&self, part: &Part, hole: &ExpectedHole, (block, end): (&Block, &ToolPose)) -> Option<f64> {
         let (segment, rounding) = (&part.segment, self.rules.rounding());
         let largest = BOTH * rounding.tip_mm;
         let along = |step: Vector3<f64>| step.dot(&end.axis);
         let step = end.tip - hole.clearance_point().tip;
-        let over = (step - end.axis * along(step)).norm() <= largest;
+        let leads_off_mm = || along(step).abs() * lean_of_words(&self.rules, block, [0.0, 1.0], &hole.hole).unwrap_or(0.0);
+        let off_mm = (step - end.axis * along(step)).norm();
+        let over = off_mm <= largest || off_mm <= largest + leads_off_mm().min(part.required.tolerance_mm);
         let [from, to] = [segment.from.tip, segment.to.tip].map(|tip| along(end.tip - tip));
         let leans_rad = segment.axis_arc().distance(&end.axis);
         // Words across the tool keep the level of a plane that leans as much.

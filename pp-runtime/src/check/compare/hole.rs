@@ -47,6 +47,14 @@ pub(super) fn pose_at(rules: &Rules<'_>, block: &Block, level_mm: f64) -> Option
     Some(rules.words().place(&words_at(rules, block, level_mm)?, &block.state))
 }
 
+/// Angle between the line that the words along the normal of the plane lead on, from one level of them to the other, and the axis
+/// of a hole, rad.
+pub(super) fn lean_of_words(rules: &Rules<'_>, block: &Block, levels_mm: [f64; 2], hole: &Hole) -> Option<f64> {
+    let [low, high] = levels_mm.map(|level_mm| pose_at(rules, block, level_mm).map(|pose| pose.tip));
+    let (line, axis) = (high? - low?, hole.top.axis.into_inner());
+    Some(line.cross(&axis).norm().atan2(line.dot(&axis)))
+}
+
 /// Whether a hole is where a pose is, seen along its axis.
 pub(super) fn is_over(rules: &Rules<'_>, pose: &ToolPose, expected: &ExpectedHole) -> bool {
     let hole = &expected.hole;
@@ -135,10 +143,7 @@ impl CycleComparison<'_> {
 
     /// Angle between the line of the cycle and the axis of the hole, rad.
     fn lean(&self) -> Option<f64> {
-        let tip = |level_mm: f64| pose_at(self.rules, self.block, level_mm).map(|pose| pose.tip);
-        let line = tip(self.cycle.reference)? - tip(self.cycle.bottom)?;
-        let axis = self.hole.top.axis.into_inner();
-        Some(line.cross(&axis).norm().atan2(line.dot(&axis)))
+        lean_of_words(self.rules, self.block, [self.cycle.bottom, self.cycle.reference], self.hole)
     }
 
     /// What is wrong with kind, feed and dwell.

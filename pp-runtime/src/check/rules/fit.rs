@@ -232,9 +232,11 @@ impl Rules<'_> {
     }
 
     /// Whether blocks with tool vectors may lead a motion through a pole that it passes closely: only there the rotary angles that
-    /// the control finds do not depend on its interpolation. Their points after the pole are on the path from there to its end.
+    /// the control finds do not depend on its interpolation. Their points after the pole are on the path from there to its end. A
+    /// point of the motion is the pole, too, where the angles of the point are those of the pole in the units of the program.
     fn is_led_through_pole(&self, segment: &Segment, block: &Block) -> bool {
-        let passes = |pole: &Vector3<f64>| segment.axis_arc().is_within(pole, self.largest_bend_rad());
+        let largest_rad = self.largest_bend_rad() + self.rounding.axis_rad;
+        let passes = |pole: &Vector3<f64>| segment.axis_arc().is_within(pole, largest_rad);
         block.state.vector.is_some() && self.pole.is_some_and(|pole| passes(&pole) || passes(&-pole))
     }
 
