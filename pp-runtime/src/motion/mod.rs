@@ -62,6 +62,8 @@ pub use options::{
 pub(crate) use place::rotaries_of;
 pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, TipStart, UsableModes, unsuited};
 pub(crate) use plan::hole_extent;
+#[cfg(test)]
+pub(crate) use plan::obligations;
 pub use plan::{
     Abilities, ChordedArcs, CutterRadius, FastestRotation, MovingAxes, OperationBlocks, OperationTime, Planner,
     ProofProgram, Registers, Statistics, Surface, Sweep, Thread, Threads, Times,

@@ -1,16 +1,16 @@
 //! The approach: from the machine retract to the approach point, or back to the cut after a rewind.
 
 use std::io;
-use std::rc::Rc;
 
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::LinearMeaning;
-use super::super::read::{Block, TipControl, stated};
+use super::super::read::{Block, TipControl};
 use super::super::rules::{FrameUse, ModalContext};
+use super::obligations::{Duty, Event, Place};
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
 use super::station::Station;
-use super::{Comparison, Current, parking, plane_guard, retract};
+use super::{Comparison, Current, parking, retract};
 use crate::check::tolerances::{ALONG_PLANE_NORMAL, BOTH, COMES_BACK};
 
 /// What a block of an approach moves.
@@ -42,10 +42,7 @@ impl Comparison<'_> {
     /// A rapid from the retract position: one of the steps to the approach point.
     pub(super) fn approach(&mut self, retracted: &mut Retracted, current: &Current<'_>) -> io::Result<Option<Phase>> {
         self.fill_for_approach(current)?;
-        if std::mem::take(&mut retracted.plane_guard_due) {
-            let missing = plane_guard::missing(&self.rules, &self.previous);
-            self.found_any(current, missing);
-        }
+        self.come_to_cut(Place::ApproachStep, current);
         let step = self.approach_step(retracted, current.block);
         if self.goes_elsewhere(retracted, step, current) {
             return Ok(None);
@@ -275,7 +272,7 @@ impl Comparison<'_> {
     /// The approach has ended.
     pub(super) fn arrive(&mut self, retracted: &mut Retracted, current: &Current<'_>, end: &ToolPose) -> Cutting {
         let mut cutting = Cutting { here: Some(*end), ..Cutting::default() };
-        self.keeps_rapids = false;
+        self.way.keeps_rapids = false;
         self.functions.wait_with(None);
         let rewind = self.rewind_of(retracted, end, current);
         let rewind = rewind.filter(|_| !(self.is_over_next(end) && self.is_other_way()));
@@ -300,11 +297,10 @@ impl Comparison<'_> {
         };
         let of_item = |item: &ExpectedItem| (item.required.tool, item.required.register);
         let tool = self.progress.next().map_or((None, 0), of_item);
-        for missing in self.shop_lines.approach(starts, tool) {
-            self.found(current, &missing);
-        }
+        let missing = self.shop_lines.approach(starts, tool);
+        self.found_all(current, missing);
         if starts {
-            self.compare_start(current);
+            self.come_to(Place::Operation, None, current);
         }
         self.pass_lift_to_hole(end);
         let Some(motion) = self.progress.motion() else { return cutting };
@@ -369,7 +365,7 @@ impl Comparison<'_> {
         // shop may say nothing.
         let begins = self.progress.motion().filter(|next| next.starts).is_some_and(|next| {
             let own_safety = self.rules.policy().shop.own_safety;
-            self.start.restarted || own_safety && self.rules.is_at(end, &self.approach_point(0, next))
+            !self.duties.owes(Duty::CompleteState) || own_safety && self.rules.is_at(end, &self.approach_point(0, next))
         });
         if rewind.finished.is_none() || !begins && self.above(&rewind, end).is_some() {
             return Some(rewind);
@@ -423,39 +419,6 @@ impl Comparison<'_> {
         Segment { from: above, to: pose, shape: PathShape::Line }
     }
 
-    /// The program can be entered where an operation begins: its complete state, and a machine retract after it.
-    pub(super) fn compare_start(&mut self, current: &Current<'_>) {
-        let own_safety = self.rules.policy().shop.own_safety;
-        let mut needed = stated::COOLANT;
-        if !own_safety {
-            needed |= stated::OFFSET;
-        }
-        if self.progress.next().is_some_and(|item| item.required.spindle.is_some()) {
-            needed |= stated::SPINDLE;
-        }
-        let missing = needed & !current.block.stated;
-        for (bit, name) in [(stated::COOLANT, "coolant"), (stated::OFFSET, "work offset"), (stated::SPINDLE, "spindle")]
-        {
-            if missing & bit != 0 {
-                self.found(
-                    current,
-                    &format!("operation starts without its {name}, which must be programmed after its restart point"),
-                );
-            }
-        }
-        if !own_safety && !self.start.restarted {
-            self.found(current, "operation starts without a restart point, the block that sets all modal codes");
-        }
-        if !self.start.retracted {
-            self.found(current, "operation starts without the machine retract after its restart point");
-        }
-        if let Some(required) = self.progress.next().map(|item| Rc::clone(&item.required)) {
-            for fault in self.functions.start(&self.rules, &required, current.block) {
-                self.found(current, &fault);
-            }
-        }
-    }
-
     /// Rotary axes to their parking positions.
     pub(super) fn park(&mut self, retracted: &mut Retracted, current: &Current<'_>) {
         let block = current.block;
@@ -473,7 +436,9 @@ impl Comparison<'_> {
     pub(super) fn orient(&mut self, phase: &mut Phase, current: &Current<'_>) {
         if let Phase::Retracted(retracted) = phase {
             retracted.since_plane = Some(0);
-            retracted.plane_guard_due = self.rules.policy().shop.guards_planes && self.rules.facts().plane_guard;
+            if self.rules.facts().plane_guard {
+                self.duties.happens(Event::PlaneCall);
+            }
         }
         let state = &current.block.state;
         let expected = self.rules.meaning() == LinearMeaning::PlaneCoordinates || self.rules.may_have_tip_control();

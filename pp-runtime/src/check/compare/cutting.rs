@@ -15,6 +15,7 @@ use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, MAX_AXES, Side};
 use super::super::rules::{Deviation, DeviationBound, LinkForm, ModalContext, StateFault, Stroke};
 use super::hole::lean_of_words;
+use super::obligations::{Event, Place};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
 use super::{Comparison, Current, Previous, retract};
@@ -62,7 +63,7 @@ impl Comparison<'_> {
             && self.is_other_way()
             && let Some(leaving) = self.retract(cutting, current, &end)?
         {
-            self.keeps_rapids = true;
+            self.way.keeps_rapids = true;
             return Ok(Some(Phase::Leaving(Box::new(leaving))));
         }
         // Motions that need no block may come before the hole.
@@ -234,7 +235,8 @@ impl Comparison<'_> {
         let largest = BOTH * rounding.tip_mm;
         let along = |step: Vector3<f64>| step.dot(&end.axis);
         let step = end.tip - hole.clearance_point().tip;
-        let leads_off_mm = || along(step).abs() * lean_of_words(&self.rules, block, [0.0, 1.0], &hole.hole).unwrap_or(0.0);
+        let leads_off_mm =
+            || along(step).abs() * lean_of_words(&self.rules, block, [0.0, 1.0], &hole.hole).unwrap_or(0.0);
         let off_mm = (step - end.axis * along(step)).norm();
         let over = off_mm <= largest || off_mm <= largest + leads_off_mm().min(part.required.tolerance_mm);
         let [from, to] = [segment.from.tip, segment.to.tip].map(|tip| along(end.tip - tip));
@@ -290,7 +292,10 @@ impl Comparison<'_> {
         // The machine retracts along the axis that it has: tool axes of the CL data that it cannot tell apart are one.
         let start = part.segment.tip_at(self.progress.along());
         cutting.retract.follow(&start, &ToolPose { axis: end.axis, ..on });
-        self.start.restarted = false;
+        if !part.rapid {
+            self.come_to_cut(Place::Cut, current);
+        }
+        self.duties.happens(Event::Motion);
         self.progress.set_lost(false);
         self.finish_part(cutting, end, part, (at_feed, link));
     }
@@ -306,11 +311,6 @@ impl Comparison<'_> {
 
     /// What has to be on or off in a part of a motion; `rotates`: its rotary axes may rotate at feed.
     fn compare_functions(&mut self, current: &Current<'_>, part: &Part, rotates: bool) {
-        let stopped = if part.rapid { None } else { self.functions.cut_with_spindle_off() };
-        self.found_any(current, stopped);
-        if std::mem::take(&mut self.lifted) && !part.rapid {
-            self.found(current, "the tool has come to the level of a cycle, and this is none");
-        }
         if part.required.side != Side::None {
             let unguarded = self.functions.cut_with_radius(&self.rules);
             self.found_any(current, unguarded);

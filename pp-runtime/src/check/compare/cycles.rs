@@ -8,6 +8,7 @@ use super::super::geometry::ToolPose;
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
+use super::obligations::{Event, Place};
 use super::phase::{Cutting, Phase, RetractedLength};
 use super::{Comparison, Current, Findings};
 use crate::program::Feed;
@@ -45,7 +46,9 @@ impl Comparison<'_> {
         let lifts = over && (returns || !next.rapid && at(hole.clearance_mm));
         if lifts {
             // It may come down to a thread again.
-            self.lifted = returns && !at(hole.clearance_mm);
+            if returns && !at(hole.clearance_mm) {
+                self.duties.happens(Event::LevelOfCycle);
+            }
             self.pass_over_hole(cutting.here.as_ref(), number);
             self.progress.begin_at(*end);
             self.compare_state(current, &required);
@@ -105,7 +108,7 @@ impl Comparison<'_> {
         if self.progress.is_made(expected.number) {
             self.found(current, "this hole has been made already: the cycle runs twice");
         }
-        self.lifted = false;
+        self.duties.happens(Event::Cycle);
         let starts = self.progress.motion().is_some_and(|motion| motion.starts);
         if !matches!(phase, Phase::Cutting(_)) || (starts && !self.progress.is_approached()) {
             self.found(current, "cycle without an approach before it");
@@ -130,8 +133,7 @@ impl Comparison<'_> {
         let block = current.block;
         self.compare_state(current, required);
         if !block.action.is_rigid_thread() && !self.rules.facts().stops_spindle(&block.action) {
-            let stopped = self.functions.cut_with_spindle_off();
-            self.found_any(current, stopped);
+            self.come_to_cut(Place::Cycle, current);
         }
         // Smoothing is off in a cycle.
         let off = RequiredSmoothing { level: None, ..required.smoothing };

@@ -7,13 +7,12 @@ use super::super::expect::{Required, RequiredSmoothing, SpindleState};
 use super::super::policy::{LinearMeaning, SmoothingLevel};
 use super::super::read::{
     Action, BlankPart, Block, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords,
-    State, coolant, stated,
+    State,
 };
 use super::super::rules::Rules;
 use super::phase::Phase;
-use crate::check::tolerances::{ROUNDED_DWELL, ROUNDED_GUARD, ROUNDED_TOLERANCE, SHORT_SPINDLE_DWELL, THINNEST_BLANK};
+use crate::check::tolerances::{ROUNDED_GUARD, ROUNDED_TOLERANCE, THINNEST_BLANK};
 use crate::kinematics::Axis;
-use crate::program::Rotation;
 use crate::set_up::{LengthMode, ProgramZero};
 
 /// State of the functions.
@@ -25,24 +24,12 @@ pub(super) struct FunctionState {
     guards: Option<bool>,
     /// Largest radius that a guard allows since a complete state began, mm.
     radius_guard_mm: Option<f64>,
-    /// Coolant through the spindle has been on since the last tool change or its dwell.
-    drains: bool,
-    /// The spindle has started, and its dwell is to come.
-    dwell_is_due: bool,
-    /// Sense of rotation after the last block.
-    rotation: Option<Rotation>,
     /// Mode of the first cut, where blocks of the shop may select it.
     path_mode: Option<PathMode>,
-    /// The spindle has been programmed since a complete state or a cycle that stops it.
-    spindle_stated: bool,
-    /// A cycle has stopped the spindle.
-    stopped_by_cycle: bool,
     /// State of the spindle for a dwell before the approach.
     waits_with: Option<SpindleState>,
     /// Rotary axes whose clamps have been switched since a complete state began: bits.
     clamps_stated: u16,
-    /// Tip control by codes of the shop has been switched off since then.
-    tip_control_off: bool,
     /// Tool axis of the last block at the part.
     vector: Option<Vector3<f64>>,
     /// Rotary axes that have moved since the approach, and those that were not clamped in a cut: bits.
@@ -79,7 +66,6 @@ impl FunctionState {
         self.guard = None;
         self.radius_guard_mm = None;
         self.clamps_stated = 0;
-        self.tip_control_off = false;
     }
 
     /// Takes the guard of a block; what is wrong with it.
@@ -148,7 +134,7 @@ impl FunctionState {
     }
 
     /// What is wrong with the blank, where the first operation begins; one around all cuts may have any size.
-    fn blank_fault(&mut self, rules: &Rules<'_>) -> Option<&'static str> {
+    pub(super) fn blank_fault(&mut self, rules: &Rules<'_>) -> Option<String> {
         if std::mem::replace(&mut self.blank_is_compared, true) || !rules.facts().blank {
             return None;
         }
@@ -166,19 +152,18 @@ impl FunctionState {
             }
         }
         let (Some(lower), Some(upper)) = (self.blank.lower, self.blank.upper) else {
-            return Some("the blank of the configuration, [stock], is missing at the head of the program");
+            return Some("the blank of the configuration, [stock], is missing at the head of the program".to_owned());
         };
         let unit_mm = rules.units().in_mm();
         let near = |one: [f64; 3], other: [f64; 3]| {
             one.iter().zip(other).all(|(one, other)| (one * unit_mm - other).abs() <= rules.rounding().unit_mm)
         };
         let same = near(lower, stock.lower) && near(upper, stock.upper) && self.blank.round == stock.round;
-        (!same).then_some("the blank of the program differs from that of the configuration, [stock]")
+        (!same).then(|| "the blank of the program differs from that of the configuration, [stock]".to_owned())
     }
 
-    /// What is missing where an operation begins.
-    pub(super) fn start(&mut self, rules: &Rules<'_>, required: &Required, block: &Block) -> Vec<String> {
-        let blank = self.blank_fault(rules).map(str::to_owned);
+    /// What is missing where an operation begins: a guard of the tool length.
+    pub(super) fn length_guard(&mut self, rules: &Rules<'_>, required: &Required, block: &Block) -> Option<String> {
         let policy = rules.policy();
         // Where the program chooses the meaning of its words: positions of axes at zero may be coordinates in a plane that is not
         // tilted, and do not depend on the length.
@@ -188,104 +173,35 @@ impl FunctionState {
             LinearMeaning::PlaneCoordinates => false,
         };
         let guardable = required.gauge_length_mm.zip(required.tool).filter(|_| guarded(rules, required).is_some());
-        let guard = match (policy.shop.length_guard_mm, guardable) {
-            (Some(_), Some((length, tool))) => {
-                // A program that guards one tool guards all whose length is known.
-                let matters = !policy.shop.guards_rotated_axes_only || positions || self.guards == Some(true);
-                let is_guarded = self.guard.is_some();
-                let before = *self.guards.get_or_insert(is_guarded);
-                match (is_guarded, matters) {
-                    (false, true) => Some(format!(
-                        "the length guard of T{tool}, length {length} mm, is missing after the restart point"
-                    )),
-                    (true, _) if !before => Some(format!(
-                        "T{tool} has a length guard, and the tools before it have none: theirs are missing"
-                    )),
-                    _ => None,
-                }
+        let (length, tool) = guardable.filter(|_| policy.shop.length_guard_mm.is_some())?;
+        // A program that guards one tool guards all whose length is known.
+        let matters = !policy.shop.guards_rotated_axes_only || positions || self.guards == Some(true);
+        let is_guarded = self.guard.is_some();
+        let before = *self.guards.get_or_insert(is_guarded);
+        match (is_guarded, matters) {
+            (false, true) => {
+                Some(format!("the length guard of T{tool}, length {length} mm, is missing after the restart point"))
+            }
+            (true, _) if !before => {
+                Some(format!("T{tool} has a length guard, and the tools before it have none: theirs are missing"))
             }
             _ => None,
-        };
-        let clamp = letter(rules, rules.clamps() & !self.clamps_stated);
-        let clamp = clamp.map(|letter| format!("the clamp of {letter} is neither on nor off after the restart point"));
-        let tip_control = self.tip_control_fault(rules);
-        guard.into_iter().chain(clamp).chain(tip_control).chain(blank).collect()
+        }
     }
 
-    /// What is missing if tip control by codes of the shop has not been switched off since the complete state began. At power-on
-    /// it may be on, and the program before may have left it on.
-    pub(super) fn tip_control_fault(&mut self, rules: &Rules<'_>) -> Option<String> {
-        let of_shop = |place: &OwnPlace| matches!(place, OwnPlace::TipControl { .. });
-        let missing = !self.tip_control_off && rules.policy().shop.lines.iter().any(|line| of_shop(&line.place));
-        self.tip_control_off |= missing;
-        missing.then(|| {
-            "tip control may be on: its code off is missing after the restart point and before the retract".to_owned()
-        })
+    /// The same of the clamps: each is on or off.
+    pub(super) fn clamps_unstated(&self, rules: &Rules<'_>) -> Option<String> {
+        let clamp = letter(rules, rules.clamps() & !self.clamps_stated);
+        clamp.map(|letter| format!("the clamp of {letter} is neither on nor off after the restart point"))
     }
 
     /// Notes a line of the shop.
     pub(super) fn line(&mut self, places: &[OwnPlace]) {
         for place in places {
-            match place {
-                OwnPlace::Clamp { axis, .. } => self.clamps_stated |= 1 << axis,
-                OwnPlace::TipControl { on } => self.tip_control_off |= !on,
-                _ => {}
+            if let OwnPlace::Clamp { axis, .. } = place {
+                self.clamps_stated |= 1 << axis;
             }
         }
-    }
-
-    /// Notes coolant through the spindle in a block.
-    pub(super) fn coolant(&mut self, state: &State) {
-        let through = coolant::PRESSURES.iter().fold(coolant::THROUGH, |bits, bit| bits | bit);
-        self.drains |= state.coolant.is_some_and(|on| on & through != 0);
-    }
-
-    /// Whether a dwell is the one before a tool change after coolant through the spindle; then it has come.
-    pub(super) fn drain(&mut self, seconds: f64, rules: &Rules<'_>) -> bool {
-        let expected = rules.policy().links.through_dwell_s;
-        let drains = self.drains && expected > 0.0 && (expected - seconds).abs() <= ROUNDED_DWELL;
-        self.drains &= !drains;
-        drains
-    }
-
-    /// What is missing before a tool change after coolant through the spindle.
-    pub(super) fn undrained(&mut self, rules: &Rules<'_>) -> Option<String> {
-        let expected = rules.policy().links.through_dwell_s;
-        let missing = std::mem::take(&mut self.drains) && expected > 0.0;
-        missing
-            .then(|| format!("the dwell of {expected} s (`coolant.through_dwell`) before this tool change is missing"))
-    }
-
-    /// Notes the spindle after a block; what is wrong where one moves.
-    pub(super) fn spindle(&mut self, block: &Block, rules: &Rules<'_>) -> Option<String> {
-        let rotation = block.state.spindle.flatten();
-        let stated = block.stated & stated::SPINDLE != 0;
-        let first = !std::mem::replace(&mut self.spindle_stated, stated) && stated;
-        self.stopped_by_cycle &= !stated;
-        self.stopped_by_cycle |= rules.facts().stops_spindle(&block.action);
-        let dwell = rules.policy().links.spindle_dwell_s;
-        if dwell <= 0.0 {
-            return None;
-        }
-        if rotation.is_some() && (first || rotation != self.rotation) {
-            self.dwell_is_due = true;
-        }
-        self.rotation = rotation;
-        match block.action {
-            Action::Dwell(seconds) if seconds >= dwell - SHORT_SPINDLE_DWELL => self.dwell_is_due = false,
-            _ if rotation.is_none() => self.dwell_is_due = false,
-            action if action.cuts() && std::mem::take(&mut self.dwell_is_due) => {
-                return Some(format!("the dwell of {dwell} s after the start of the spindle is missing"));
-            }
-            _ => {}
-        }
-        None
-    }
-
-    /// What is wrong with the spindle in a cut after a cycle that stops it.
-    pub(super) fn cut_with_spindle_off(&mut self) -> Option<String> {
-        std::mem::take(&mut self.stopped_by_cycle)
-            .then(|| "the control has switched the spindle off after the cycle: M3 or M4 is missing".to_owned())
     }
 
     /// What is wrong with smoothing and path mode in a cut; `expected`: its smoothing, off in a cycle of the control.

@@ -2,10 +2,15 @@
 
 use super::super::expect::{ExpectedAction, ExpectedItem};
 use super::super::policy::LinearMeaning;
-use super::super::read::{Action, Effect, Length, OwnLine, OwnPlace};
+use super::super::read::{Action, Block, Effect, Length, OwnLine, OwnPlace, coolant, stated};
 use super::functions::place_of_line;
+use super::obligations::{Duty, Event, Place};
 use super::phase::Phase;
-use super::{Comparison, Current, StartState, plane_guard};
+use super::{Comparison, Current, plane_guard};
+use crate::check::tolerances::SHORT_SPINDLE_DWELL;
+
+/// Coolant through the spindle, with any pressure: bits.
+const THROUGH: u8 = coolant::THROUGH | coolant::PRESSURES[0] | coolant::PRESSURES[1] | coolant::PRESSURES[2];
 
 impl Comparison<'_> {
     /// Changes of state that must not happen at the part.
@@ -26,10 +31,34 @@ impl Comparison<'_> {
         if !block.only_moves {
             self.guards_and_restart(phase, current);
         }
-        let fault = self.functions.spindle(block, &self.rules);
-        self.found_any(current, fault);
         if !current.same_modes {
+            self.follow_spindle(block);
             self.modes_before_task(phase, current);
+        }
+        if block.action.cuts() {
+            self.come_to_cut(Place::Feed, current);
+        }
+    }
+
+    /// Notes what a block has done to the spindle.
+    fn follow_spindle(&mut self, block: &Block) {
+        let (rotation, stated) = (block.state.spindle.flatten(), block.stated & stated::SPINDLE != 0);
+        let first = !std::mem::replace(&mut self.previous.spindle_stated, stated) && stated;
+        let before = std::mem::replace(&mut self.previous.rotation, rotation);
+        if stated {
+            self.duties.happens(Event::SpindleStated);
+        }
+        if self.rules.facts().stops_spindle(&block.action) {
+            self.duties.happens(Event::CycleStopsSpindle);
+        }
+        if rotation.is_none() {
+            self.duties.happens(Event::SpindleOff);
+        } else if first || rotation != before {
+            self.duties.happens(Event::SpindleStarts);
+        }
+        let dwell = self.rules.policy().links.spindle_dwell_s;
+        if matches!(block.action, Action::Dwell(seconds) if seconds >= dwell - SHORT_SPINDLE_DWELL) {
+            self.duties.happens(Event::SpindleWaited);
         }
     }
 
@@ -37,6 +66,9 @@ impl Comparison<'_> {
     #[inline(never)]
     pub(super) fn own_line(&mut self, own: &OwnLine, is_of_cl: bool, phase: &Phase, current: &Current<'_>) {
         self.functions.line(&own.places);
+        if own.places.contains(&OwnPlace::TipControl { on: false }) {
+            self.duties.happens(Event::TipControlOff);
+        }
         let ended = self.progress.next().is_none();
         let misplaced = place_of_line(&own.places, phase, self.tally.motions(), ended);
         self.found_any(current, misplaced.filter(|_| !is_of_cl));
@@ -46,8 +78,7 @@ impl Comparison<'_> {
         self.found_any(current, of_another);
         self.measures_at_tool_position(own, current);
         if needs_retract(own) {
-            self.start.retracted = false;
-            self.shop_lines.lose_retract();
+            self.duties.happens(Event::ShopLine);
         }
     }
 
@@ -59,10 +90,10 @@ impl Comparison<'_> {
         if is_of_cl || !own.places.iter().all(of_start) {
             return;
         }
-        let StartState { restarted, retracted } = self.start;
+        let owes = |what| self.duties.owes(what);
         // A line before it may have lost the retract.
-        let begun =
-            (retracted || self.shop_lines.needs_retract()) && (restarted || self.rules.policy().shop.own_safety);
+        let begun = (!owes(Duty::Retract) || owes(Duty::RetractAfterShopLine))
+            && (!owes(Duty::CompleteState) || self.rules.policy().shop.own_safety);
         let tool = current.block.state.tool;
         if !begun || tool.is_some() && tool != self.tool_due() {
             self.found(
@@ -80,7 +111,7 @@ impl Comparison<'_> {
             if phase.is_at_part() && self.rules.meaning() == LinearMeaning::TipCoordinates {
                 self.found(current, "the safety line comes before the machine has retracted");
             }
-            self.start = StartState { restarted: true, retracted: false };
+            self.duties.happens(Event::CompleteState);
             self.functions.restart();
         }
         if let Some(guard) = block.guard {
@@ -99,6 +130,9 @@ impl Comparison<'_> {
             self.functions.blank(part);
         }
         if let Some(guard) = &block.plane_guard {
+            if phase.is_retracted() {
+                self.duties.happens(Event::PlaneGuard);
+            }
             let fault = plane_guard::fault(guard, phase, &self.rules, &self.previous);
             self.found_any(current, fault);
         }
@@ -108,7 +142,9 @@ impl Comparison<'_> {
     #[inline(never)]
     pub(super) fn modes_before_task(&mut self, phase: &Phase, current: &Current<'_>) {
         let block = current.block;
-        self.functions.coolant(&block.state);
+        if block.state.coolant.is_some_and(|on| on & THROUGH != 0) {
+            self.duties.happens(Event::ThroughCoolant);
+        }
         let length = std::mem::replace(&mut self.previous.length, block.state.length);
         let tilted = std::mem::replace(&mut self.previous.tilted, block.state.tilt.is_some());
         if !phase.is_at_part() {

@@ -7,6 +7,7 @@ use super::super::geometry::ToolPose;
 use super::super::policy::RetractRule;
 use super::super::read::{Action, Block, OwnPlace};
 use super::super::rules::ModalContext;
+use super::obligations::{Duty, Event, Place};
 use super::phase::{Cutting, Phase, Retracted};
 use super::{Comparison, Current, machine_move, parking, retract};
 use crate::program::Clearance;
@@ -145,8 +146,8 @@ impl Comparison<'_> {
             self.found_any(current, fault);
             self.missing_dwells(current, false);
         }
-        if self.start.restarted {
-            self.is_parked(current);
+        if !self.duties.owes(Duty::CompleteState) {
+            self.come_to(Place::RetractOfStart, Some(phase), current);
         }
         let mut retracted = self.retracted(phase, current);
         let rewinds = retracted.rewind.is_some();
@@ -161,7 +162,7 @@ impl Comparison<'_> {
         // After a stop, where the position is unknown, the operator has switched the coolant; and the stop may have been in
         // the plane.
         let dry = !phase.is_unknown() && (!rewinds || links.rewinds_dry);
-        let probed = std::mem::take(&mut self.probed);
+        let probed = std::mem::take(&mut self.previous.probed);
         let tilts = phase.is_at_part() || (phase.is_unknown() && (probed || !links.retracts_for_stop));
         let context = ModalContext {
             dry,
@@ -172,30 +173,20 @@ impl Comparison<'_> {
         let spindle = self.spindle_may_be(current.block, retracted.stopped);
         let fault = self.rules.fault_at_retract(block, tilts, spindle, context);
         self.found_state(current, fault);
-        if self.start.restarted {
-            let fault = self.functions.tip_control_fault(&self.rules);
-            self.found_any(current, fault);
-        }
-        self.start.retracted = true;
+        self.duties.happens(Event::Retract);
         self.at_station = Default::default();
-        self.shop_lines.note_retract();
         let is_home =
             |item: &ExpectedItem| matches!(item.action, ExpectedAction::Home) && self.is_with_tool(item, block);
         if self.progress.next().is_some_and(is_home) {
             self.progress.take();
             retracted.parks = true;
-            (self.home, self.parked) = (true, 0);
+            self.duties.happens(Event::Home);
+            self.parked = 0;
         }
         Ok(Phase::Retracted(Box::new(retracted)))
     }
 
-    /// GOHOME is over: every axis with a parking position must be there.
-    pub(super) fn is_parked(&mut self, current: &Current<'_>) {
-        if std::mem::take(&mut self.home) {
-            self.parking_positions(current);
-        }
-    }
-
+    /// Every axis with a parking position is there.
     pub(super) fn parking_positions(&mut self, current: &Current<'_>) {
         let missing: Vec<char> = {
             let places = &self.rules.policy().links.park;
@@ -218,7 +209,7 @@ impl Comparison<'_> {
             Phase::Retracted(retracted) => Retracted {
                 rewind: retracted.rewind.take(),
                 // The retract of the next operation: what rotates the axes after it is its approach.
-                parks: retracted.parks && !self.start.restarted,
+                parks: retracted.parks && self.duties.owes(Duty::CompleteState),
                 stopped,
                 ..Retracted::default()
             },

@@ -30,7 +30,7 @@ impl Comparison<'_> {
         current: &Current<'_>,
     ) -> io::Result<()> {
         let line = current.shown.text.trim_ascii();
-        let guarded = std::mem::replace(&mut self.guarded, line.starts_with(b"IF "));
+        let guarded = std::mem::replace(&mut self.previous.guards, line.starts_with(b"IF "));
         let policy = self.rules.policy();
         let is_tool = |called: &[u8]| {
             // In a tool change it is the tool that comes.

@@ -19,6 +19,7 @@ mod lines;
 mod links;
 mod machine_move;
 mod messages;
+mod obligations;
 mod parking;
 mod phase;
 mod plane_guard;
@@ -44,11 +45,12 @@ use super::travel::{Findings, Travel};
 use crate::check::tolerances::BOTH;
 use crate::cl::ClEvents;
 use crate::kinematics::AnyMachine;
-use crate::program::{Location, Units};
+use crate::program::{Location, Rotation, Units};
 use crate::shortcut::Shortcut;
 use clear::KeepOut;
 use cutting::MOST_NEEDLESS;
 use functions::FunctionState;
+use obligations::{Duties, Event};
 use phase::{Phase, Task};
 use progress::ClProgress;
 use shop_lines::ShopLines;
@@ -95,7 +97,7 @@ struct Comparison<'a> {
     arrived: bool,
     /// The last block has been compared to its end: `previous` has its modes.
     compared: bool,
-    start: StartState,
+    duties: Duties,
     /// What the last cut required, if its modal state was right: so is that of the cuts after it, until a block has other words
     /// than those of a motion.
     right_state: Option<Rc<Required>>,
@@ -107,19 +109,7 @@ struct Comparison<'a> {
     at_station: [u16; Station::ALL.len()],
     /// Blocks of the shop's machine retract that have come.
     own_retract: usize,
-    /// GOHOME has begun, and the axes have to be parked.
-    home: bool,
-    /// A probe has measured since the last machine retract: the tool is still in the plane of its point.
-    probed: bool,
-    /// The tool has come to the level of a cycle over the next hole.
-    lifted: bool,
-    /// The last block may be skipped.
-    skippable: bool,
-    /// The last line began a guard, whose text is its own.
-    guarded: bool,
     way: Way,
-    /// Rapids of the CL data to where the tool is are done by the next approach.
-    keeps_rapids: bool,
 }
 
 /// Which of two meanings a block has.
@@ -129,6 +119,15 @@ struct Way {
     two: bool,
     /// It has the second.
     other: bool,
+    /// Rapids of the CL data to where the tool is are done by the next approach.
+    keeps_rapids: bool,
+}
+
+impl Way {
+    /// Before another block.
+    fn forget(&mut self) {
+        (self.two, self.other) = (false, false);
+    }
 }
 
 /// Words and modes after the last block.
@@ -143,6 +142,12 @@ struct Previous {
     same_meaning: u16,
     /// Value of the retract axis where its word has lost its meaning since.
     retract_axis: Option<f64>,
+    /// It may be skipped.
+    skippable: bool,
+    /// It began a guard, whose text is its own.
+    guards: bool,
+    /// A probe has measured since the last machine retract: the tool is still in the plane of its point.
+    probed: bool,
     /// Chords of the arcs by their angle since the words gave the position in their plane, in diameters.
     chords: f64,
     /// Plane of the last arc of the operation.
@@ -152,6 +157,10 @@ struct Previous {
     tip_control: bool,
     /// The spindle or the coolant is known to be on.
     runs: bool,
+    /// Sense of rotation of the spindle.
+    rotation: Option<Rotation>,
+    /// It has been programmed since a complete state or a cycle that stops it.
+    spindle_stated: bool,
     /// The last tool that the program has changed to as the CL data calls it.
     tool: Option<u32>,
 }
@@ -180,15 +189,6 @@ impl Setters {
     fn line_of(&self, item: StateItem) -> Option<&(u64, Vec<u8>)> {
         self.lines[item as usize].as_ref()
     }
-}
-
-/// Blocks since the last complete state began.
-#[derive(Debug, Clone, Copy, Default)]
-struct StartState {
-    /// A complete state has begun since the last motion on the path.
-    restarted: bool,
-    /// The machine has retracted since a complete state began.
-    retracted: bool,
 }
 
 /// The block at hand.
@@ -235,25 +235,19 @@ impl<'a> Checker<'a> {
             progress: ClProgress::new(expect),
             tally: Tally::new(policy.largest_path_mm(), travel.is_limited()),
             travel,
+            duties: Duties::new(policy),
             rules,
             previous: Previous::default(),
             setters: Setters::default(),
             arrived: false,
             compared: false,
-            start: StartState::default(),
             right_state: None,
             functions: FunctionState::default(),
             shop_lines: ShopLines::new(lines, policy),
             parked: 0,
             at_station: Default::default(),
             own_retract: 0,
-            home: false,
-            probed: false,
-            lifted: false,
-            skippable: false,
-            guarded: false,
             way: Way::default(),
-            keeps_rapids: false,
         };
         let reading = Reading { comparison, phase: Phase::Unknown { stopped: false } };
         Self { reading, others: Vec::new(), apart: 0, before: State::default() }
@@ -377,7 +371,7 @@ impl Reading<'_> {
         if !self.may_have_two_meanings(block) {
             return self.block(block, text).map(|()| None);
         }
-        self.comparison.way = Way::default();
+        self.comparison.way.forget();
         let mut other = self.clone();
         self.block(block, text)?;
         if !self.comparison.way.two {
@@ -386,7 +380,7 @@ impl Reading<'_> {
         let count = other.count();
         other.comparison.way.other = true;
         other.block(block, text)?;
-        other.comparison.way = Way::default();
+        other.comparison.way.forget();
         Ok((other.count() == count).then_some(other))
     }
 
@@ -395,8 +389,10 @@ impl Reading<'_> {
         let Self { comparison, phase } = self;
         comparison.progress.fill(2)?;
         let compared = std::mem::take(&mut comparison.compared);
-        let same_modes =
-            Shortcut::SameModes.is_on() && compared && block.only_moves && block.skippable == comparison.skippable;
+        let same_modes = Shortcut::SameModes.is_on()
+            && compared
+            && block.only_moves
+            && block.skippable == comparison.previous.skippable;
         let shown = Shown { line: block.line, text };
         let current = Current { block, shown, at: comparison.progress.location(), same_modes };
         comparison.stop_at_fault(&current);
@@ -568,6 +564,11 @@ impl Comparison<'_> {
         }
     }
 
+    /// Adds findings.
+    fn found_all(&mut self, current: &Current<'_>, texts: impl IntoIterator<Item = String>) {
+        texts.into_iter().for_each(|text| self.found(current, &text));
+    }
+
     /// Adds a finding about its modal state.
     fn found_state(&mut self, current: &Current<'_>, fault: Option<StateFault>) {
         match fault {
@@ -634,8 +635,8 @@ impl Comparison<'_> {
     fn pass_needless_from(&mut self, here: Option<&ToolPose>) -> io::Result<()> {
         while self.is_needless(0, here) {
             let is_rapid = self.progress.motion().is_some_and(|motion| motion.rapid);
-            self.keeps_rapids = self.keeps_rapids || is_rapid && self.is_other_way();
-            if is_rapid && self.keeps_rapids {
+            self.way.keeps_rapids = self.way.keeps_rapids || is_rapid && self.is_other_way();
+            if is_rapid && self.way.keeps_rapids {
                 break;
             }
             self.progress.pass();
@@ -655,7 +656,7 @@ impl Comparison<'_> {
 
     /// The phase where the position of the machine is unknown.
     fn forget(&mut self, phase: &Phase) -> Phase {
-        self.start.retracted = false;
+        self.duties.happens(Event::PositionLost);
         self.progress.forget_position();
         Phase::Unknown { stopped: phase.is_stopped() }
     }

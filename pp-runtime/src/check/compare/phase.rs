@@ -73,8 +73,6 @@ pub(super) struct Retracted {
     pub(crate) approach: ([f64; MAX_AXES], u16),
     /// Rotary words since the control has positioned the axes to a plane: bits.
     pub(crate) since_plane: Option<u16>,
-    /// The comparison of the rotary axes after a plane call is due.
-    pub(crate) plane_guard_due: bool,
     /// Its second step came before tip control.
     pub(crate) before_tip_control: bool,
     /// Axis values across the retract axis after its second step, where they do not depend on the retract axis.

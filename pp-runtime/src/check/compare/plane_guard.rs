@@ -6,10 +6,10 @@ use crate::check::read::RotaryGuard;
 use crate::check::rules::Rules;
 use crate::check::tolerances::{GUARDED_SINES, LEAST_GUARDED_RATE, ROUNDED_GUARD_POSITION};
 
-/// What is wrong with a guard, which is no longer due.
-pub(super) fn fault(guard: &RotaryGuard, phase: &mut Phase, rules: &Rules<'_>, previous: &Previous) -> Option<String> {
-    let retracted = match phase {
-        Phase::Retracted(retracted) => retracted,
+/// What is wrong with a guard.
+pub(super) fn fault(guard: &RotaryGuard, phase: &Phase, rules: &Rules<'_>, previous: &Previous) -> Option<String> {
+    match phase {
+        Phase::Retracted(_) => {}
         Phase::Cutting(_) | Phase::Leaving(_) => {
             return Some(
                 "rotary positions are compared with the tool at the part: the look-ahead stops there".to_owned(),
@@ -18,8 +18,7 @@ pub(super) fn fault(guard: &RotaryGuard, phase: &mut Phase, rules: &Rules<'_>, p
         Phase::Unknown { .. } | Phase::Ended => {
             return Some("rotary positions are compared, and no plane call comes before".to_owned());
         }
-    };
-    retracted.plane_guard_due = false;
+    }
     if guard.largest > GUARDED_SINES * 1.01 {
         let largest = guard.largest;
         return Some(format!("the guard of the rotary positions allows {largest}, expected {GUARDED_SINES}"));

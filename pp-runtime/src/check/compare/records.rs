@@ -5,11 +5,11 @@ use std::io;
 
 use super::super::expect::{ExpectedAction, ExpectedItem};
 use super::super::read::{Action, Block, OwnPlace};
-use super::super::rules::{fault_at_end, tool_name};
+use super::super::rules::tool_name;
 use super::approach::FOR_APPROACH;
+use super::obligations::{Duty, Event, Place};
 use super::phase::{Phase, Retracted};
-use super::station::Station;
-use super::{Comparison, Current, StartState};
+use super::{Comparison, Current};
 use crate::check::tolerances::ROUNDED_DWELL;
 
 impl Comparison<'_> {
@@ -30,7 +30,7 @@ impl Comparison<'_> {
         }
         match (phase, probe) {
             (_, Some(first)) => {
-                self.probed = true;
+                self.previous.probed = true;
                 self.probes(phase, first, current);
             }
             (Phase::Cutting(cutting), None) => self.has_left(cutting, current),
@@ -49,26 +49,13 @@ impl Comparison<'_> {
         self.compare_tool(current);
         self.progress.pass();
         if current.block.own.as_ref().is_some_and(|own| own.needs_standstill) {
-            self.compare_standstill(phase, current);
+            self.come_to(Place::Standstill, Some(phase), current);
         }
         let is_first = self.previous.tool.is_none() && self.progress.last().is_none();
-        if is_first && !self.start.restarted && !self.rules.policy().shop.own_safety {
+        if is_first && self.duties.owes(Duty::CompleteState) && !self.rules.policy().shop.own_safety {
             self.found(current, "this block comes before the first complete state of the program");
         }
         true
-    }
-
-    /// Work is clamped, or a door moves, with the machine retracted and the spindle off.
-    pub(super) fn compare_standstill(&mut self, phase: &Phase, current: &Current<'_>) {
-        if !phase.is_retracted() || self.shop_lines.needs_retract() {
-            self.found(
-                current,
-                "a clamp, a chuck, a door or a pallet moves here: expected the machine retract before this block",
-            );
-        }
-        if self.setters.at_block.spindle != Some(None) {
-            self.found(current, "a clamp, a chuck, a door or a pallet moves here: the spindle is not known to be off");
-        }
     }
 
     /// A block with which a probe measures: the first where the last motion has ended.
@@ -92,8 +79,6 @@ impl Comparison<'_> {
 
     pub(super) fn tool_change(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Phase> {
         let tool = current.block.state.tool;
-        self.is_parked(current);
-        self.ends_operation(current);
         if self.progress.next().is_none_or(|item| item.required.tool != tool) {
             self.find_again(phase, |item| item.required.tool == tool, current)?;
         }
@@ -116,26 +101,9 @@ impl Comparison<'_> {
                 let (tool, required) = (tool_name(tool), tool_name(required));
                 self.found(current, &format!("change to {tool}, but the CL data requires {required}"));
             }
-            _ if !self.start.restarted => self.found(
-                current,
-                "tool change before the complete state of its operation: where the program is entered there, the tool is missing",
-            ),
             _ => {}
         }
-        if self.setters.at_block.spindle.flatten().is_some() {
-            self.found(current, "tool change with the spindle on");
-        }
-        let undrained = self.functions.undrained(&self.rules);
-        self.found_any(current, undrained);
-        if !phase.is_retracted() || !self.start.retracted {
-            self.found(current, "tool change before the machine has retracted");
-        } else {
-            self.is_at_station(Station::Change, current);
-        }
-        self.is_complete(phase, current);
-        self.cuts_have_ended(current);
-        // The axes were taken to where it is changed.
-        self.start.retracted &= self.rules.policy().links.tool_change_position.is_empty();
+        self.come_to(Place::ToolChange, Some(phase), current);
         Ok(self.forget(phase))
     }
 
@@ -232,7 +200,9 @@ impl Comparison<'_> {
         if !phase.is_at_part() && self.shop_lines.has(current.shown.text) {
             return Ok(());
         }
-        if phase.is_retracted() && self.functions.drain(seconds, &self.rules) {
+        let drains = self.rules.policy().links.through_dwell_s;
+        if phase.is_retracted() && self.duties.owes(Duty::DrainDwell) && (drains - seconds).abs() <= ROUNDED_DWELL {
+            self.duties.happens(Event::Drained);
             return Ok(());
         }
         let spindle = self.rules.policy().links.spindle_dwell_s;
@@ -276,13 +246,7 @@ impl Comparison<'_> {
             _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
         }
         self.functions.wait_with(None);
-        self.ends_operation(current);
-        self.cuts_have_ended(current);
-        self.is_parked(current);
-        if phase.is_at_part() {
-            let fault = self.functions.end_of_cuts(&self.rules);
-            self.found_any(current, fault);
-        }
+        self.come_to(Place::Stop, Some(phase), current);
         let retracts = self.rules.policy().links.retracts_for_stop;
         // After the stop the retract axis moves from the position of the tool.
         if let Phase::Cutting(cutting) = &*phase
@@ -291,13 +255,6 @@ impl Comparison<'_> {
         {
             self.has_left(cutting, current);
         }
-        if retracts && !phase.is_retracted() {
-            self.found(current, "program stop before the machine has retracted");
-        }
-        if retracts {
-            self.found_state(current, fault_at_end(current.block));
-        }
-        self.is_complete(phase, current);
         match self.forget(phase) {
             Phase::Unknown { stopped } => Ok(Some(Phase::Unknown { stopped: stopped || retracts })),
             other => Ok(Some(other)),
@@ -312,12 +269,16 @@ impl Comparison<'_> {
             matches!(self.progress.get(index), Some(ExpectedItem { action: ExpectedAction::BlockSkip { on: expected }, .. })
                 if *expected == on)
         };
-        if !on && !self.skippable && self.progress.has_records_ahead() && is(0, true) && is(1, false) {
+        if !on && !self.previous.skippable && self.progress.has_records_ahead() && is(0, true) && is(1, false) {
             // Nothing comes between them.
             self.progress.take();
             self.progress.take();
         }
-        if std::mem::replace(&mut self.skippable, on) == on { Ok(()) } else { self.change_block_skip(phase, current) }
+        if std::mem::replace(&mut self.previous.skippable, on) == on {
+            Ok(())
+        } else {
+            self.change_block_skip(phase, current)
+        }
     }
 
     /// The first block that may be skipped, or that may no longer.
@@ -334,28 +295,12 @@ impl Comparison<'_> {
             }
             _ => self.found(current, "this block is always executed (no `/`), without OPSKIP/OFF in the CL data here"),
         }
-        self.cuts_have_ended(current);
-        self.ends_operation(current);
-        for missing in self.shop_lines.skip() {
-            self.found(current, &missing);
-        }
-        self.is_parked(current);
-        self.is_complete(phase, current);
-        if phase.is_at_part() {
-            let text = "blocks that may be skipped begin and end with the machine retracted: expected the retract before this block";
-            self.found(current, text);
-            let fault = self.functions.end_of_cuts(&self.rules);
-            self.found_any(current, fault);
-        }
-        if self.previous.runs {
-            let text = "blocks that may be skipped begin and end with spindle and coolant off: one of them is on before this block";
-            self.found(current, text);
-        }
+        self.come_to(Place::BlockSkip, Some(phase), current);
         self.previous.known &= current.block.known_before;
         // A complete state that may be skipped, or that came before, is none for what comes after.
-        self.start = StartState::default();
         self.functions.restart();
         self.forget(phase);
+        self.duties.happens(Event::BlockSkip);
         *phase = match phase.is_retracted() {
             true => Phase::Retracted(Box::new(Retracted { stopped: true, ..Retracted::default() })),
             false => Phase::Unknown { stopped: true },
@@ -373,19 +318,10 @@ impl Comparison<'_> {
         {
             self.found(current, &format!("the CL data ends with a call of T{last}: the tool change is missing"));
         }
-        if self.skippable {
+        if self.previous.skippable {
             self.found(current, "the operator may skip the end code (`/`)");
         }
-        if !phase.is_retracted() || self.shop_lines.needs_retract() {
-            self.found(current, "end code before the machine has retracted");
-        }
-        for missing in self.shop_lines.end() {
-            self.found(current, &missing);
-        }
-        self.found_state(current, fault_at_end(current.block));
-        self.is_complete(phase, current);
-        self.cuts_have_ended(current);
-        self.parking_positions(current);
+        self.come_to(Place::End, Some(phase), current);
         Ok(Phase::Ended)
     }
 

@@ -21,8 +21,6 @@ pub(super) struct ShopLines {
     /// Tools that are measured after their change, and those that are checked for breakage when they have cut.
     measured: BTreeSet<u32>,
     checked: BTreeSet<u32>,
-    /// A line has left the axes anywhere since the last machine retract.
-    needs_retract: bool,
     /// The tool of the last approach has been at the part since blocks that may be skipped have begun or ended.
     has_cut: bool,
     /// The lines at the end of its work have come before blocks that may be skipped begin or end.
@@ -46,7 +44,6 @@ impl ShopLines {
             last_tool: None,
             measured,
             checked,
-            needs_retract: false,
             has_cut: false,
             has_ended: false,
             in_operation: false,
@@ -67,21 +64,6 @@ impl ShopLines {
     /// Whether a line of the program is one of the configuration.
     pub(super) fn has(&mut self, text: &[u8]) -> bool {
         self.lines.has(text)
-    }
-
-    /// A line has left the axes anywhere.
-    pub(super) fn lose_retract(&mut self) {
-        self.needs_retract = true;
-    }
-
-    /// The machine has retracted.
-    pub(super) fn note_retract(&mut self) {
-        self.needs_retract = false;
-    }
-
-    /// Whether the machine has to retract again after a line.
-    pub(super) fn needs_retract(&self) -> bool {
-        self.needs_retract
     }
 
     /// What is wrong with the values of a line about a tool. `spindle`: tool in the spindle; `next`: register of the operation

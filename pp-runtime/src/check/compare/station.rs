@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use super::super::policy::LinkPolicy;
 use super::super::read::{Action, Block, OwnLine, OwnPlace};
 use super::super::rules::ModalContext;
+use super::obligations::{Duty, Place};
 use super::phase::{Phase, Retracted};
 use super::{Comparison, Current, Previous, parking};
 
@@ -99,7 +100,7 @@ impl Comparison<'_> {
         match station {
             // At a restart point the tool in the spindle may be changed for itself, before the spindle is on.
             Station::Change => {
-                let again = self.start.restarted && block.state.spindle.flatten().is_none();
+                let again = !self.duties.owes(Duty::CompleteState) && block.state.spindle.flatten().is_none();
                 self.tool_due() != spindle || again
             }
             Station::Measuring => {
@@ -124,13 +125,8 @@ impl Comparison<'_> {
     /// A tool is measured with the axes at their positions for that.
     pub(super) fn measures_at_tool_position(&mut self, own: &OwnLine, current: &Current<'_>) {
         let measures = |place: &OwnPlace| matches!(place, OwnPlace::MeasureTool | OwnPlace::CheckTool);
-        if own.places.iter().all(measures) && !self.shop_lines.needs_retract() {
-            if !self.start.retracted {
-                self.found(
-                    current,
-                    "the machine has not retracted before the tool is measured or checked for breakage",
-                );
-            }
+        if own.places.iter().all(measures) && !self.duties.owes(Duty::RetractAfterShopLine) {
+            self.come_to(Place::Measuring, None, current);
             self.is_at_station(Station::Measuring, current);
             let before = &self.setters.at_block;
             let runs = before.spindle.flatten().is_some();

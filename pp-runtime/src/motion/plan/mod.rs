@@ -14,6 +14,7 @@ mod hole;
 mod lead_out;
 mod machining_time;
 mod mover;
+pub(crate) mod obligations;
 mod operation;
 mod output;
 mod position;

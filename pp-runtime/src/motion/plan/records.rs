@@ -10,6 +10,7 @@ use crate::program::{
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::Planner;
+use crate::motion::plan::obligations::Place;
 use crate::motion::plan::tool::LoadedTool;
 use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step};
@@ -338,16 +339,7 @@ impl<S: Sink> Records<'_, '_, S> {
         let planner = &mut *self.planner;
         let retract = planner.policy.options.stop_retract;
         // After the stop the retract axis moves from the position of the tool, so a tilted tool is led out before.
-        if retract || !planner.mover.retracts_along_tool() {
-            planner.leave()?;
-        }
-        planner.mover.output_mut().set_reason(BlockReason::Record);
-        if retract {
-            planner.stop_coolant()?;
-            planner.mover.machine_retract()?;
-            planner.spindle.stop(planner.mover.output_mut())?;
-        }
-        planner.stop_spindle()?;
+        planner.come_to(if retract { Place::Stop } else { Place::StopInPlace })?;
         planner.mover.output_mut().step(&Step::Stop { optional })?;
         // The operator may have done anything, and starts with the spindle as it was.
         if retract {
@@ -412,15 +404,10 @@ impl<S: Sink> Records<'_, '_, S> {
             let help = "written at the machine retract with the spindle off; if it moves nothing, confirm it there: `harmless = true`";
             planner.mover.output_mut().remark(Fault::new(text).help(help));
         }
-        let stands = stands.is_some();
-        if planner.mover.position().is_in_frame() || stands {
-            if stands && planner.mover.restarts() > 0 {
-                planner.stop_coolant()?;
-            }
+        if stands.is_some() {
+            planner.come_to(Place::Standstill)?;
+        } else if planner.mover.position().is_in_frame() {
             planner.mover.machine_retract()?;
-        }
-        if stands {
-            planner.spindle.stop(planner.mover.output_mut())?;
         }
         planner.mover.output_mut().step(&Step::Raw { text })?;
         planner.spindle.reset();
@@ -466,17 +453,14 @@ impl<S: Sink> Records<'_, '_, S> {
 
     /// GOHOME without a point: the machine retract, then the parking position where one is configured.
     fn go_home(&mut self) -> Planned {
-        self.leave()?;
-        if self.planner.mover.restarts() > 0 {
-            // After a stop, or a line of the shop, it is unknown.
-            self.planner.stop_coolant()?;
+        self.planner.come_to(Place::Home)?;
+        let placer = self.planner.mover.placer();
+        let parks = self.planner.policy.options.park.contains_key(&placer.chain()[placer.retract_axis()].letter);
+        let position = self.planner.mover.position_mut();
+        position.forget();
+        if !parks {
+            position.retract();
         }
-        self.planner.mover.machine_retract()?;
-        if !self.planner.policy.options.park.is_empty() {
-            self.planner.spindle.stop(self.planner.mover.output_mut())?;
-        }
-        self.planner.mover.park()?;
-        self.planner.mover.position_mut().forget();
         Ok(())
     }
 

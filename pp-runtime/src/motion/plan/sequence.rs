@@ -17,6 +17,7 @@ use crate::motion::options::Transition;
 use crate::program::{Location, Move};
 
 use crate::motion::fault::{Fault, Planned};
+use crate::motion::plan::obligations::Place;
 use crate::motion::plan::selection::Opening;
 use crate::motion::plan::tool::LoadedTool;
 use crate::motion::plan::{MotionAndNext, Planner, cutter, records};
@@ -85,15 +86,7 @@ impl<S: Sink> Planner<'_, S> {
     /// machine is unknown there.
     fn begin_operation(&mut self, opening: Opening) -> Result<bool, crate::motion::plan::ItemError> {
         if opening.ends {
-            self.skip_blocks(false)?;
-            self.leave()?;
-            self.mover.output_mut().set_reason(BlockReason::End);
-            self.stop_coolant()?;
-            self.mover.output_mut().cancel_inverse_time()?;
-            self.end_tool()?;
-            self.stop_coolant()?;
-            self.mover.machine_retract()?;
-            self.spindle.stop(self.mover.output_mut())?;
+            self.come_to(Place::SelectionEnd)?;
             self.mover.output_mut().times_mut().forget_empty();
         }
         self.mover.output_mut().show(opening.wanted);
@@ -167,8 +160,7 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.position_mut().forget_retract();
         // Where the program is entered here, the state of the coolant is unknown.
         self.coolant.forget();
-        self.stop_coolant()?;
-        self.mover.machine_retract()?;
+        self.come_to(Place::CompleteState)?;
         if enters {
             self.spindle.enter();
         }
@@ -214,12 +206,7 @@ impl<S: Sink> Planner<'_, S> {
         if !std::mem::take(&mut self.in_operation) || !self.abilities.operation_blocks.at_end {
             return Ok(());
         }
-        self.leave()?;
-        self.mover.output_mut().set_reason(BlockReason::End);
-        self.stop_coolant()?;
-        self.stop_spindle()?;
-        self.mover.output_mut().cancel_inverse_time()?;
-        self.mover.machine_retract()?;
+        self.come_to(Place::OperationEnd)?;
         self.mover.output_mut().step(&Step::OperationBlocks { at_end: true })?;
         self.spindle.reset();
         self.coolant.forget();
@@ -235,14 +222,8 @@ impl<S: Sink> Planner<'_, S> {
             return Ok(());
         }
         if on || self.mover.output().has_skippable() {
-            self.leave()?;
-            self.mover.output_mut().set_reason(BlockReason::Record);
-            self.stop_coolant()?;
-            self.mover.output_mut().cancel_inverse_time()?;
-            self.mover.machine_retract()?;
-            self.spindle.stop(self.mover.output_mut())?;
             // Whichever tool is in the spindle afterwards, this one has been looked at.
-            self.end_tool()?;
+            self.come_to(Place::BlockSkip)?;
         } else {
             let fault =
                 Fault::new("no motion, stop or NC text comes between OPSKIP/ON and OPSKIP/OFF: nothing is skipped");
@@ -269,15 +250,8 @@ impl<S: Sink> Planner<'_, S> {
         let given = self.policy.set_up.tools.get(&tool.number);
         let spindle = self.spindle.requested().resolve(given, self.policy)?;
         let radius_delta = cutter::radius_delta(self, &tool)?;
-        let goes = !self.policy.options.retract.tool_change_position.is_empty();
-        if change && (goes || self.spindle.may_run()) {
-            self.spindle.stop(self.mover.output_mut())?;
-        }
         if change {
-            self.drain_spindle()?;
-        }
-        if change && goes {
-            self.mover.take_axes_to_tool_change()?;
+            self.come_to(Place::ToolChange)?;
         }
         self.mover.output_mut().step(&Step::Tool {
             number: tool.number,
@@ -303,7 +277,7 @@ impl<S: Sink> Planner<'_, S> {
     }
 
     /// Waits until coolant has run out of the spindle, before its tool is changed.
-    fn drain_spindle(&mut self) -> std::io::Result<()> {
+    pub(crate) fn drain_spindle(&mut self) -> std::io::Result<()> {
         let seconds = self.policy.options.coolant.through_dwell_s;
         if self.coolant.take_drains() && seconds > 0.0 {
             let output = self.mover.output_mut();
@@ -331,17 +305,13 @@ impl<S: Sink> Planner<'_, S> {
     }
 
     /// Blocks of the shop for the tool that has cut, at the machine retract with spindle and coolant off.
-    fn end_tool(&mut self) -> Planned {
+    pub(crate) fn end_tool(&mut self) -> Planned {
         let Some(tool) = self.tooling.current().map(|tool| tool.number) else { return Ok(()) };
         let has_any = [ToolRoutine::End, ToolRoutine::Check].into_iter().any(|routine| self.has_routine(tool, routine));
         if !self.tooling.take_cut() || !has_any {
             return Ok(());
         }
-        self.mover.output_mut().set_reason(BlockReason::End);
-        self.stop_coolant()?;
-        self.mover.output_mut().cancel_inverse_time()?;
-        self.mover.machine_retract()?;
-        self.spindle.stop(self.mover.output_mut())?;
+        self.come_to(Place::ToolEnd)?;
         if self.abilities.retract_keeps_length {
             // It ends here, at the retract, and not where a macro has left the tool.
             self.restate_modes()?;
@@ -425,9 +395,7 @@ impl<S: Sink> Planner<'_, S> {
 
     /// A rapid that rotates the table or the head.
     pub(crate) fn index(&mut self, ahead: MotionAndNext<'_>, planned: Option<RotaryTarget>) -> Planned {
-        self.leave()?;
-        self.mover.output_mut().set_reason(BlockReason::Approach);
-        self.mover.machine_retract()?;
+        self.come_to(Place::Index)?;
         self.enter_mode()?;
         self.stop_spindle()?;
         self.approach(ahead, planned)
@@ -521,14 +489,7 @@ impl<S: Sink> Planner<'_, S> {
         }
         self.cutter.check_end()?;
         self.mover.output_mut().serve(at, BlockReason::LeadOut);
-        self.end_operation()?;
-        self.leave()?;
-        self.mover.output_mut().set_reason(BlockReason::End);
-        self.end_tool()?;
-        self.stop_coolant()?;
-        self.mover.output_mut().cancel_inverse_time()?;
-        self.mover.machine_retract()?;
-        self.spindle.stop(self.mover.output_mut())?;
+        self.come_to(Place::End)?;
         if self.tooling.changes() && self.selection.next_is_written() {
             // The shop ends with another tool in the spindle.
             self.restart(false)?;

@@ -22,6 +22,8 @@ pub(crate) struct SpindleState {
     held: bool,
     /// It may be on although `running` is unknown: since a stop, or NC text.
     uncertain: bool,
+    /// It has been switched off, and nothing has come since that may switch it on.
+    is_off: bool,
     /// SPINDL/OFF came after the last motion: written before the next, or when the tool is out of the part.
     stop_pending: bool,
     /// A cycle has stopped the spindle.
@@ -71,7 +73,7 @@ impl SpindleState {
 
     /// The program is entered here, or goes on, with the spindle off.
     pub(crate) fn enter(&mut self) {
-        (self.running, self.uncertain) = (None, false);
+        (self.running, self.uncertain, self.is_off) = (None, false, false);
     }
 
     /// Whether the last SPINDL was SPINDL/OFF.
@@ -95,6 +97,7 @@ impl SpindleState {
     pub(crate) fn forget(&mut self) {
         self.running = None;
         self.uncertain = true;
+        self.is_off = false;
     }
 
     /// Forgets the state and a pending stop.
@@ -127,7 +130,7 @@ impl SpindleState {
             self.stop_pending |= self.running.is_some();
             return Ok(());
         };
-        self.stop_pending = false;
+        (self.stop_pending, self.is_off) = (false, false);
         let wanted = Some((speed.value(), rotation));
         if policy.options.lift_mm.is_some() {
             // In a dry run the spindle is on only for the planner; a restart writes that it is off.
@@ -154,10 +157,13 @@ impl SpindleState {
         if self.stop_pending { self.stop(output) } else { Ok(()) }
     }
 
-    /// Stops the spindle.
+    /// Stops the spindle, unless the program has just done so.
     pub(crate) fn stop<S: Sink>(&mut self, output: &mut Output<S>) -> io::Result<()> {
+        if self.is_off {
+            return Ok(());
+        }
         self.reset();
-        self.uncertain = false;
+        (self.uncertain, self.is_off) = (false, true);
         output.step(&Step::SpindleOff)
     }
 

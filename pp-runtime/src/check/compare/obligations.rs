@@ -1,0 +1,279 @@
+//! What must be between two cuts, as rows.
+//!
+//! [`OWED`] has what a program owes after an event, and the events that settle it. [`NEEDED`] has what must be so at each place to
+//! which a program comes: nothing of that kind is owed there any more, and the machine is in the state for it. The writer has rows
+//! of its own, from which it writes its sequence; a test compares them.
+
+mod rows;
+
+use std::rc::Rc;
+
+use super::super::policy::CheckPolicy;
+use super::super::read::stated;
+use super::super::rules::fault_at_end;
+use super::phase::Phase;
+use super::station::Station;
+use super::{Comparison, Current, plane_guard};
+pub(super) use rows::{Duty, Event, Place};
+use rows::{NEEDED, OWED, Owed};
+
+/// What is owed.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Duties {
+    /// Bits by [`Duty`].
+    owed: u32,
+    /// What is asked for at all.
+    asked: u32,
+}
+
+impl Duty {
+    const fn bit(self) -> u32 {
+        1 << self as u32
+    }
+}
+
+/// What is owed after each event, and what is done by it: bits.
+const BY_EVENT: [[u32; 2]; Event::Cycle as usize + 1] = {
+    let (mut bits, mut index) = ([[0; 2]; _], 0);
+    while index < OWED.len() {
+        let Owed { what, after, done, .. } = &OWED[index];
+        let (lists, mut column) = ([*after, *done], 0);
+        while column < 2 {
+            let mut event = 0;
+            while event < lists[column].len() {
+                bits[lists[column][event] as usize][column] |= what.bit();
+                event += 1;
+            }
+            column += 1;
+        }
+        index += 1;
+    }
+    bits
+};
+
+/// What may be owed at each place: bits.
+const AT_PLACE: [u32; Place::End as usize + 1] = {
+    let (mut bits, mut row) = ([0; _], 0);
+    while row < NEEDED.len() {
+        bits[NEEDED[row].at as usize] |= NEEDED[row].what.bit();
+        row += 1;
+    }
+    bits
+};
+
+impl Duties {
+    pub(super) fn new(policy: &CheckPolicy) -> Self {
+        let asked = OWED.iter().filter(|row| (row.asked)(policy)).fold(0, |bits, row| bits | row.what.bit());
+        let mut duties = Self { owed: 0, asked };
+        duties.happens(Event::Begin);
+        duties
+    }
+
+    /// An event: what it settles is no longer owed, and what comes after it is.
+    #[inline]
+    pub(super) fn happens(&mut self, event: Event) {
+        let [after, done] = BY_EVENT[event as usize];
+        self.owed = self.owed & !done | after & self.asked;
+    }
+
+    pub(super) fn owes(&self, what: Duty) -> bool {
+        self.owed & what.bit() != 0
+    }
+
+    /// Whether something is owed, which is said once.
+    fn take(&mut self, what: Duty) -> bool {
+        let owes = self.owes(what);
+        self.owed &= !what.bit();
+        owes
+    }
+}
+
+impl Comparison<'_> {
+    /// The program comes to a place: reports what is missing there. `phase`: before the block; `None` at the end of an approach
+    /// and in a cut.
+    pub(super) fn come_to(&mut self, place: Place, phase: Option<&Phase>, current: &Current<'_>) {
+        for row in NEEDED.iter().filter(|row| row.at == place) {
+            if (row.needed)(&self.rules) && self.is_missing(row.what, phase, current) {
+                self.found(current, row.text);
+            }
+        }
+    }
+
+    /// The same at a cut, where nothing is owed as a rule.
+    #[inline]
+    pub(super) fn come_to_cut(&mut self, place: Place, current: &Current<'_>) {
+        if self.duties.owed & AT_PLACE[place as usize] != 0 {
+            self.come_to(place, None, current);
+        }
+    }
+
+    /// Whether something is missing for which the row has the text; what has others is reported here.
+    fn is_missing(&mut self, what: Duty, phase: Option<&Phase>, current: &Current<'_>) -> bool {
+        let (before, at_part) = (&self.setters.at_block, phase.is_some_and(Phase::is_at_part));
+        let unstated = |bit| current.block.stated & bit == 0;
+        match what {
+            Duty::CompleteState | Duty::RetractAfterShopLine => return self.duties.owes(what),
+            Duty::Retract => return at_part || self.duties.owes(what),
+            Duty::DrainDwell | Duty::SpindleDwell | Duty::SpindleAgain | Duty::TipControlOff | Duty::CycleAtLevel => {
+                return self.duties.take(what);
+            }
+            Duty::Away => return at_part,
+            Duty::SpindleOff => return before.spindle.flatten().is_some(),
+            Duty::SpindleStopped => return before.spindle != Some(None),
+            Duty::SpindleAndCoolantOff => return self.previous.runs,
+            Duty::CoolantStated => return unstated(stated::COOLANT),
+            Duty::OffsetStated => return unstated(stated::OFFSET),
+            Duty::SpindleStated => {
+                let runs = self.progress.next().is_some_and(|item| item.required.spindle.is_some());
+                return runs && unstated(stated::SPINDLE);
+            }
+            Duty::Parking if self.duties.take(what) => self.parking_positions(current),
+            Duty::Parking => {}
+            Duty::ParkingAtEnd => self.parking_positions(current),
+            Duty::PlaneGuard if self.duties.take(what) => {
+                let missing = plane_guard::missing(&self.rules, &self.previous);
+                self.found_any(current, missing);
+            }
+            Duty::PlaneGuard => {}
+            Duty::StateAtEnd => self.found_state(current, fault_at_end(current.block)),
+            Duty::AtChangePosition if !at_part && !self.duties.owes(Duty::Retract) => {
+                self.is_at_station(Station::Change, current)
+            }
+            Duty::AtChangePosition => {}
+            Duty::ApproachEnded => phase.into_iter().for_each(|phase| self.is_complete(phase, current)),
+            Duty::CutsEnded => self.cuts_have_ended(current),
+            Duty::ClampsOfCuts if at_part => {
+                let fault = self.functions.end_of_cuts(&self.rules);
+                self.found_any(current, fault);
+            }
+            Duty::ClampsOfCuts => {}
+            Duty::OperationEnded => self.ends_operation(current),
+            Duty::ToolEnded => {
+                let missing = self.shop_lines.skip();
+                self.found_all(current, missing);
+            }
+            Duty::ProgramEnded => {
+                let missing = self.shop_lines.end();
+                self.found_all(current, missing);
+            }
+            Duty::LengthGuard | Duty::ClampsStated | Duty::Blank => {
+                let Some(required) = self.progress.next().map(|item| Rc::clone(&item.required)) else {
+                    return false;
+                };
+                let fault = match what {
+                    Duty::LengthGuard => self.functions.length_guard(&self.rules, &required, current.block),
+                    Duty::ClampsStated => self.functions.clamps_unstated(&self.rules),
+                    _ => self.functions.blank_fault(&self.rules),
+                };
+                self.found_any(current, fault);
+            }
+        }
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Duty, Event, NEEDED, OWED, Place};
+    use crate::motion::obligations::{Need, Place as Written, ROWS};
+
+    /// Places of the check, and the rows of the writer that lead there.
+    const PLACES: [(Place, &[Written]); 5] = [
+        (Place::ToolChange, &[Written::CompleteState, Written::ToolChange]),
+        (Place::Stop, &[Written::Stop]),
+        (Place::BlockSkip, &[Written::BlockSkip]),
+        (Place::Standstill, &[Written::Standstill]),
+        (Place::End, &[Written::End]),
+    ];
+
+    /// Steps that a duty asks for; none where the writer does it elsewhere, or its path is compared.
+    fn steps_for(what: Duty) -> &'static [Need] {
+        match what {
+            Duty::Retract | Duty::RetractAfterShopLine | Duty::Away => &[Need::Retract],
+            Duty::SpindleOff => &[Need::SpindleOffForChange],
+            Duty::SpindleStopped => &[Need::SpindleOff],
+            Duty::StateAtEnd | Duty::SpindleAndCoolantOff => &[Need::CoolantOff, Need::SpindleOff],
+            Duty::DrainDwell => &[Need::DrainDwell],
+            Duty::AtChangePosition => &[Need::ChangePosition],
+            Duty::ToolEnded | Duty::ProgramEnded => &[Need::ToolEnd],
+            // At a record the writer ends the operation before it takes it.
+            Duty::OperationEnded => &[],
+            Duty::CompleteState
+            | Duty::Parking
+            | Duty::ParkingAtEnd
+            | Duty::SpindleDwell
+            | Duty::SpindleAgain
+            | Duty::TipControlOff
+            | Duty::PlaneGuard
+            | Duty::CycleAtLevel
+            | Duty::ApproachEnded
+            | Duty::CutsEnded
+            | Duty::ClampsOfCuts
+            | Duty::CoolantStated
+            | Duty::OffsetStated
+            | Duty::SpindleStated
+            | Duty::LengthGuard
+            | Duty::ClampsStated
+            | Duty::Blank => &[],
+        }
+    }
+
+    /// Steps that no duty asks for by themselves: the path of the first is compared, the others are in the state of each block or
+    /// come before their place.
+    const OF_OTHERS: [Need; 6] = [
+        Need::LeadOut,
+        Need::LeadOutIfTilted,
+        Need::InverseTimeOff,
+        Need::CoolantOff,
+        Need::OperationEnd,
+        Need::BlockSkipEnd,
+    ];
+
+    fn written(places: &[Written]) -> Vec<Need> {
+        let row = |place: &Written| ROWS.iter().find(|row| row.at == *place).expect("a place has its row");
+        places.iter().flat_map(|place| row(place).needs).copied().collect()
+    }
+
+    #[test]
+    fn the_writer_does_at_each_place_what_the_check_needs_there_and_nothing_else() {
+        for (place, rows) in PLACES {
+            let written = written(rows);
+            let asked: Vec<Need> =
+                NEEDED.iter().filter(|row| row.at == place).flat_map(|row| steps_for(row.what)).copied().collect();
+            assert!(!asked.is_empty(), "{place:?}");
+            for need in &asked {
+                assert!(written.contains(need), "{place:?}: the check needs {need:?}, which the writer does not do");
+            }
+            for need in written.iter().filter(|need| !OF_OTHERS.contains(need)) {
+                assert!(asked.contains(need), "{place:?}: the writer does {need:?}, and the check would not miss it");
+            }
+        }
+    }
+
+    #[test]
+    fn the_machine_retracts_before_the_spindle_stops_and_after_the_coolant_is_off() {
+        for row in &ROWS {
+            let at = |need: Need| row.needs.iter().rposition(|one| *one == need);
+            let in_order = |first: Option<usize>, then: Option<usize>| first.zip(then).is_none_or(|(a, b)| a < b);
+            assert!(in_order(at(Need::LeadOut), at(Need::Retract)), "{:?}", row.at);
+            assert!(in_order(at(Need::CoolantOff), at(Need::Retract)), "{:?}", row.at);
+            assert!(in_order(at(Need::Retract), at(Need::SpindleOff)), "{:?}", row.at);
+            assert!(in_order(at(Need::Retract), at(Need::Parking)), "{:?}", row.at);
+        }
+    }
+
+    #[test]
+    fn each_event_and_each_thing_that_is_owed_has_its_rows() {
+        for row in &OWED {
+            assert!(!row.after.is_empty(), "{:?} is never owed", row.what);
+            let settled = !row.done.is_empty() || row.what == Duty::Parking;
+            assert!(settled, "{:?} is never done", row.what);
+            let asked = NEEDED.iter().any(|needed| needed.what == row.what);
+            assert!(asked || row.what == Duty::RetractAfterShopLine, "{:?} is needed nowhere", row.what);
+            assert_eq!(OWED.iter().filter(|other| other.what == row.what).count(), 1, "{:?}", row.what);
+        }
+        let retract = OWED.iter().find(|row| row.what == Duty::Retract).expect("the retract is owed");
+        assert!(retract.after.contains(&Event::CompleteState), "the writer retracts after each complete state");
+        assert_eq!(written(&[Written::CompleteState]), [Need::CoolantOff, Need::Retract]);
+    }
+}

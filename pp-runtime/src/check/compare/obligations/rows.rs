@@ -1,0 +1,229 @@
+//! The rows: what a program owes after an event, and what must be so at each place to which it comes.
+
+use crate::check::policy::CheckPolicy;
+use crate::check::read::OwnPlace;
+use crate::check::rules::Rules;
+
+/// What changes what a program owes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) enum Event {
+    /// The first block.
+    Begin,
+    /// The block that sets all modal codes: an operation can be entered there.
+    CompleteState,
+    /// The machine retract.
+    Retract,
+    /// The position of the machine is unknown.
+    PositionLost,
+    /// A line of the shop has left the axes anywhere.
+    ShopLine,
+    /// GOHOME.
+    Home,
+    /// A motion of the CL data, as a rapid or not.
+    Motion,
+    BlockSkip,
+    ThroughCoolant,
+    /// The dwell after it.
+    Drained,
+    SpindleStarts,
+    SpindleOff,
+    SpindleStated,
+    /// A dwell that is long enough for the spindle.
+    SpindleWaited,
+    /// A cycle after which the spindle is off.
+    CycleStopsSpindle,
+    TipControlOff,
+    PlaneCall,
+    PlaneGuard,
+    /// The tool comes to the level of a cycle over its hole.
+    LevelOfCycle,
+    Cycle,
+}
+
+/// What must be so.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::check) enum Duty {
+    CompleteState,
+    Retract,
+    RetractAfterShopLine,
+    Parking,
+    DrainDwell,
+    SpindleDwell,
+    SpindleAgain,
+    TipControlOff,
+    PlaneGuard,
+    CycleAtLevel,
+    // What follows is not owed after an event, but seen where it is needed.
+    /// The tool is away from the part.
+    Away,
+    SpindleOff,
+    /// Off for certain.
+    SpindleStopped,
+    /// Spindle and coolant off, no plane, no shifted zero.
+    StateAtEnd,
+    /// Neither is known to be on.
+    SpindleAndCoolantOff,
+    AtChangePosition,
+    ApproachEnded,
+    CutsEnded,
+    ClampsOfCuts,
+    OperationEnded,
+    ToolEnded,
+    ProgramEnded,
+    ParkingAtEnd,
+    CoolantStated,
+    OffsetStated,
+    SpindleStated,
+    LengthGuard,
+    ClampsStated,
+    Blank,
+}
+
+/// A place to which a program comes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::check) enum Place {
+    ToolChange,
+    Stop,
+    /// Blocks that may be skipped begin or end.
+    BlockSkip,
+    /// Work is clamped, a chuck, a door or a pallet moves.
+    Standstill,
+    /// A tool is measured, or checked for breakage.
+    Measuring,
+    /// The machine retract after a complete state.
+    RetractOfStart,
+    /// A step of an approach.
+    ApproachStep,
+    /// The first approach of an operation.
+    Operation,
+    /// A block at feed or of a cycle.
+    Feed,
+    /// A motion of the CL data at feed.
+    Cut,
+    Cycle,
+    End,
+}
+
+pub(super) struct Owed {
+    pub(super) what: Duty,
+    pub(super) after: &'static [Event],
+    pub(super) done: &'static [Event],
+    /// Where it is asked for at all.
+    pub(super) asked: fn(&CheckPolicy) -> bool,
+}
+
+/// A row of what must be so at a place.
+pub(in crate::check) struct Needed {
+    pub(in crate::check) at: Place,
+    pub(in crate::check) what: Duty,
+    pub(super) needed: fn(&Rules<'_>) -> bool,
+    /// The finding; empty where the comparison has texts of its own.
+    pub(super) text: &'static str,
+}
+
+const fn owed(what: Duty, after: &'static [Event], done: &'static [Event], asked: fn(&CheckPolicy) -> bool) -> Owed {
+    Owed { what, after, done, asked }
+}
+
+const fn needed(at: Place, what: Duty, needed: fn(&Rules<'_>) -> bool, text: &'static str) -> Needed {
+    Needed { at, what, needed, text }
+}
+
+const fn always(_: &Rules<'_>) -> bool {
+    true
+}
+
+/// Whether the machine retracts before a stop.
+fn stops_retracted(rules: &Rules<'_>) -> bool {
+    rules.policy().links.retracts_for_stop
+}
+
+/// Whether safety lines are those of the control, and not of the shop.
+fn has_safety_line(rules: &Rules<'_>) -> bool {
+    !rules.policy().shop.own_safety
+}
+
+/// Whether codes of the shop switch tip control.
+fn has_own_tip_control(policy: &CheckPolicy) -> bool {
+    policy.shop.lines.iter().any(|line| matches!(line.place, OwnPlace::TipControl { .. }))
+}
+
+/// What is owed, after what, and until what.
+#[rustfmt::skip]
+pub(super) const OWED: [Owed; 10] = [
+    owed(Duty::CompleteState, &[Event::Begin, Event::Motion, Event::BlockSkip], &[Event::CompleteState], |_| true),
+    owed(Duty::Retract, &[Event::Begin, Event::CompleteState, Event::PositionLost, Event::ShopLine, Event::BlockSkip], &[Event::Retract], |_| true),
+    owed(Duty::RetractAfterShopLine, &[Event::ShopLine], &[Event::Retract], |_| true),
+    owed(Duty::Parking, &[Event::Home], &[], |_| true),
+    owed(Duty::DrainDwell, &[Event::ThroughCoolant], &[Event::Drained], |policy| policy.links.through_dwell_s > 0.0),
+    owed(Duty::SpindleDwell, &[Event::SpindleStarts], &[Event::SpindleWaited, Event::SpindleOff], |policy| policy.links.spindle_dwell_s > 0.0),
+    owed(Duty::SpindleAgain, &[Event::CycleStopsSpindle], &[Event::SpindleStated], |_| true),
+    owed(Duty::TipControlOff, &[Event::Begin, Event::CompleteState, Event::BlockSkip], &[Event::TipControlOff], has_own_tip_control),
+    owed(Duty::PlaneGuard, &[Event::PlaneCall], &[Event::PlaneGuard, Event::Retract, Event::PositionLost], |policy| policy.shop.guards_planes),
+    owed(Duty::CycleAtLevel, &[Event::LevelOfCycle], &[Event::Cycle, Event::Motion], |_| true),
+];
+
+/// What must be so at each place.
+#[rustfmt::skip]
+pub(in crate::check) const NEEDED: [Needed; 49] = [
+    needed(Place::ToolChange, Duty::Parking, always, ""),
+    needed(Place::ToolChange, Duty::OperationEnded, always, ""),
+    needed(Place::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
+    needed(Place::ToolChange, Duty::SpindleOff, always, "tool change with the spindle on"),
+    needed(Place::ToolChange, Duty::DrainDwell, always, "the dwell `coolant.through_dwell` before this tool change is missing"),
+    needed(Place::ToolChange, Duty::Retract, always, "tool change before the machine has retracted"),
+    needed(Place::ToolChange, Duty::AtChangePosition, always, ""),
+    needed(Place::ToolChange, Duty::ApproachEnded, always, ""),
+    needed(Place::ToolChange, Duty::CutsEnded, always, ""),
+
+    needed(Place::Stop, Duty::OperationEnded, always, ""),
+    needed(Place::Stop, Duty::CutsEnded, always, ""),
+    needed(Place::Stop, Duty::Parking, always, ""),
+    needed(Place::Stop, Duty::ClampsOfCuts, always, ""),
+    needed(Place::Stop, Duty::Retract, stops_retracted, "program stop before the machine has retracted"),
+    needed(Place::Stop, Duty::StateAtEnd, stops_retracted, ""),
+    needed(Place::Stop, Duty::ApproachEnded, always, ""),
+
+    needed(Place::BlockSkip, Duty::CutsEnded, always, ""),
+    needed(Place::BlockSkip, Duty::OperationEnded, always, ""),
+    needed(Place::BlockSkip, Duty::ToolEnded, always, ""),
+    needed(Place::BlockSkip, Duty::Parking, always, ""),
+    needed(Place::BlockSkip, Duty::ApproachEnded, always, ""),
+    needed(Place::BlockSkip, Duty::Away, always, "blocks that may be skipped begin and end with the machine retracted: expected the retract before this block"),
+    needed(Place::BlockSkip, Duty::ClampsOfCuts, always, ""),
+    needed(Place::BlockSkip, Duty::SpindleAndCoolantOff, always, "blocks that may be skipped begin and end with spindle and coolant off: one of them is on before this block"),
+
+    needed(Place::Standstill, Duty::Retract, always, "a clamp, a chuck, a door or a pallet moves here: expected the machine retract before this block"),
+    needed(Place::Standstill, Duty::SpindleStopped, always, "a clamp, a chuck, a door or a pallet moves here: the spindle is not known to be off"),
+
+    needed(Place::Measuring, Duty::Retract, always, "the machine has not retracted before the tool is measured or checked for breakage"),
+
+    needed(Place::RetractOfStart, Duty::Parking, always, ""),
+    needed(Place::RetractOfStart, Duty::TipControlOff, always, "tip control may be on: its code off is missing after the restart point and before the retract"),
+
+    needed(Place::ApproachStep, Duty::PlaneGuard, always, ""),
+
+    needed(Place::Operation, Duty::CoolantStated, always, "operation starts without its coolant, which must be programmed after its restart point"),
+    needed(Place::Operation, Duty::OffsetStated, has_safety_line, "operation starts without its work offset, which must be programmed after its restart point"),
+    needed(Place::Operation, Duty::SpindleStated, always, "operation starts without its spindle, which must be programmed after its restart point"),
+    needed(Place::Operation, Duty::CompleteState, has_safety_line, "operation starts without a restart point, the block that sets all modal codes"),
+    needed(Place::Operation, Duty::Retract, always, "operation starts without the machine retract after its restart point"),
+    needed(Place::Operation, Duty::LengthGuard, always, ""),
+    needed(Place::Operation, Duty::ClampsStated, always, ""),
+    needed(Place::Operation, Duty::TipControlOff, always, "tip control may be on: its code off is missing after the restart point and before the retract"),
+    needed(Place::Operation, Duty::Blank, always, ""),
+
+    needed(Place::Feed, Duty::SpindleDwell, always, "the dwell after the start of the spindle (`spindle_dwell`) is missing"),
+    needed(Place::Cut, Duty::SpindleAgain, always, SPINDLE_AGAIN),
+    needed(Place::Cut, Duty::CycleAtLevel, always, "the tool has come to the level of a cycle, and this is none"),
+    needed(Place::Cycle, Duty::SpindleAgain, always, SPINDLE_AGAIN),
+
+    needed(Place::End, Duty::Retract, always, "end code before the machine has retracted"),
+    needed(Place::End, Duty::ProgramEnded, always, ""),
+    needed(Place::End, Duty::StateAtEnd, always, ""),
+    needed(Place::End, Duty::ApproachEnded, always, ""),
+    needed(Place::End, Duty::CutsEnded, always, ""),
+    needed(Place::End, Duty::ParkingAtEnd, always, ""),
+];
+
+const SPINDLE_AGAIN: &str = "the control has switched the spindle off after the cycle: M3 or M4 is missing";
