@@ -10,7 +10,7 @@ use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
 use std::thread::{self, JoinHandle};
 
 use super::dialect::Dialect;
-use super::meaning::{ArcVote, FrameVote, QueuedEvent, ReadingOptions};
+use super::meaning::{ArcVote, FrameVote, KeptForEvents, QueuedEvent, ReadingOptions, TextUse};
 use super::reader::{ClReader, ReadSeek};
 use super::text::{Span, decoded};
 use crate::diag::Diagnostic;
@@ -134,7 +134,7 @@ impl Batch {
     }
 
     /// The event at the first free place is the next one; it may have a text, or be a curve.
-    pub(super) fn take_place_with<'a>(&mut self, text: &[u8], curve: impl FnOnce() -> Spline<'a>) -> More {
+    pub(super) fn take_place_with<'a>(&mut self, text: &[u8], kept: impl FnOnce() -> KeptForEvents<'a>) -> More {
         match self.places.get_mut(self.count).map(|(_, event)| event) {
             Some(QueuedEvent::Text(_, at)) => {
                 let start = self.text.len();
@@ -142,10 +142,15 @@ impl Batch {
                 *at = Span { start, end: self.text.len() };
             }
             Some(QueuedEvent::Spline) => {
-                let Spline { knots, points, axis, feed } = curve();
+                let Spline { knots, points, axis, feed } = kept().curve;
                 self.curve.knots.extend_from_slice(knots);
                 self.curve.points.extend_from_slice(points);
                 (self.curve.axis, self.curve.feed) = (axis, feed);
+            }
+            Some(event @ QueuedEvent::WaitingName) => {
+                let start = self.text.len();
+                self.text.extend_from_slice(kept().name);
+                *event = QueuedEvent::Text(TextUse::Operation, Span { start, end: self.text.len() });
             }
             _ => {}
         }
@@ -173,7 +178,8 @@ impl Batch {
             QueuedEvent::Plain(event) => event,
             _ => {
                 let Curve { knots, points, axis, feed } = &self.curve;
-                with_text = queued.event(&self.text, options, Spline { knots, points, axis: *axis, feed: *feed });
+                let curve = Spline { knots, points, axis: *axis, feed: *feed };
+                with_text = queued.event(&self.text, options, KeptForEvents { curve, name: &[] });
                 &with_text
             }
         };

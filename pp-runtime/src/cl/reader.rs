@@ -109,7 +109,7 @@ impl<R: Read> ClReader<R> {
             *at = Span { start: 0, end: self.decoded.len() };
         }
         let text = if in_file { self.text() } else { self.decoded.as_bytes() };
-        let event = queued.event(text, self.interpreter.options(), self.interpreter.completed_curve());
+        let event = queued.event(text, self.interpreter.options(), self.interpreter.kept_for_events());
         Ok(Some((here, event)))
     }
 
@@ -134,7 +134,7 @@ impl<R: Read> ClReader<R> {
     #[inline(never)]
     fn add_other(&self, found: io::Result<bool>, batch: &mut Batch) -> More {
         match found {
-            Ok(true) => batch.take_place_with(self.text(), || self.interpreter.completed_curve()),
+            Ok(true) => batch.take_place_with(self.text(), || self.interpreter.kept_for_events()),
             Ok(false) => batch.end(Ok(FileFacts::of(self))),
             Err(error) => batch.end(Err(error)),
         }

@@ -118,6 +118,9 @@ impl Comparison<'_> {
                 return self.duties.take(what);
             }
             Duty::Away => return at_part,
+            Duty::Retracted => {
+                return !phase.is_some_and(Phase::is_retracted) || self.duties.owes(Duty::RetractAfterShopLine);
+            }
             Duty::SpindleOff => return before.spindle.flatten().is_some(),
             Duty::SpindleStopped => return before.spindle != Some(None),
             Duty::SpindleAndCoolantOff => return self.previous.runs,
@@ -189,7 +192,7 @@ mod tests {
     /// Steps that a duty asks for; none where the writer does it elsewhere, or its path is compared.
     fn steps_for(what: Duty) -> &'static [Need] {
         match what {
-            Duty::Retract | Duty::RetractAfterShopLine | Duty::Away => &[Need::Retract],
+            Duty::Retract | Duty::RetractAfterShopLine | Duty::Retracted | Duty::Away => &[Need::Retract],
             Duty::SpindleOff => &[Need::SpindleOffForChange],
             Duty::SpindleStopped => &[Need::SpindleOff],
             Duty::StateAtEnd | Duty::SpindleAndCoolantOff => &[Need::CoolantOff, Need::SpindleOff],

@@ -15,7 +15,8 @@ pub(crate) enum TextUse {
     Text(TextKind),
 }
 
-/// A queued event. Its text, if any, is still in the statement; a spline is in the interpreter.
+/// A queued event. Its text, if any, is still in the statement; a spline, and the name of an operation after a stop that has waited,
+/// are in the interpreter.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum QueuedEvent {
     Plain(Event<'static>),
@@ -23,11 +24,18 @@ pub(crate) enum QueuedEvent {
     /// Block of a statement of the shop, by its index in the options and its own.
     Own(usize, usize),
     Spline,
+    WaitingName,
+}
+
+/// What the interpreter keeps for its events.
+pub(crate) struct KeptForEvents<'a> {
+    pub(crate) curve: Spline<'a>,
+    pub(crate) name: &'a [u8],
 }
 
 impl QueuedEvent {
-    /// The event. `text`: where the text of the event is; `curve`: the curve that a spline is.
-    pub(crate) fn event<'a>(self, text: &'a [u8], options: &'a ReadingOptions, curve: Spline<'a>) -> Event<'a> {
+    /// The event. `text`: where the text of the event is; `kept`: what is in the interpreter.
+    pub(crate) fn event<'a>(self, text: &'a [u8], options: &'a ReadingOptions, kept: KeptForEvents<'a>) -> Event<'a> {
         match self {
             Self::Plain(event) => event,
             Self::Text(used, at) => {
@@ -46,7 +54,8 @@ impl QueuedEvent {
                     own => Interruption::Insert(text, own.map(OwnStatement::place).unwrap_or_default()),
                 })
             }
-            Self::Spline => Event::Motion(ToolMotion::Spline(curve)),
+            Self::Spline => Event::Motion(ToolMotion::Spline(kept.curve)),
+            Self::WaitingName => Event::NewStart(NewStart::Operation(kept.name)),
         }
     }
 }

@@ -10,7 +10,7 @@ use super::arc::OpenArc;
 use super::axis::ModalAxis;
 use super::coordinates::Coordinates;
 use super::cycle::CycleInForce;
-use super::event_queue::{EventQueue, QueuedEvent, TextUse};
+use super::event_queue::{EventQueue, KeptForEvents, QueuedEvent, TextUse};
 use super::frame_reading::StatedPoint;
 use super::modal_tool::ModalTool;
 use super::nurbs_curve::OpenCurve;
@@ -26,7 +26,7 @@ use crate::cl::record::{
     SubprogramRecord, Text,
 };
 use crate::cl::text::{ClFault, Span, decoded};
-use crate::program::{Arc, Event, Feed, Interruption, Location, NewStart, Spindle, Spline, TextKind};
+use crate::program::{Arc, Event, Feed, Interruption, Location, NewStart, Spindle, TextKind};
 
 /// CUTCOM/ON and the side that it needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -72,9 +72,21 @@ pub(crate) struct RecordInterpreter {
     cutcom: CutcomOn,
     /// Number of motions before the last SPINDL/ON without a speed or sense of rotation.
     spindle_on_after: Option<u64>,
+    /// STOP, which waits for a change of set-up: both are one stop.
+    waiting_stop: Option<WaitingStop>,
+    /// Name of the operation after it.
+    waiting_name: Vec<u8>,
     /// The next GOTO is a straight motion only: see [`update_plain_goto`](Self::update_plain_goto).
     plain_goto: bool,
     events: EventQueue,
+}
+
+/// A STOP that waits.
+#[derive(Debug, Clone, Copy)]
+struct WaitingStop {
+    at: Location,
+    /// Place of the name of the operation after it.
+    name: Option<Location>,
 }
 
 impl RecordInterpreter {
@@ -121,9 +133,9 @@ impl RecordInterpreter {
         self.inverse_time
     }
 
-    /// Curve of the spline event that was returned last.
-    pub(crate) fn completed_curve(&self) -> Spline<'_> {
-        self.curve.completed()
+    /// What belongs to the event that was returned last.
+    pub(crate) fn kept_for_events(&self) -> KeptForEvents<'_> {
+        KeptForEvents { curve: self.curve.completed(), name: &self.waiting_name }
     }
 
     /// CAM system, as given in the options, else as identified in the file.
@@ -189,7 +201,7 @@ impl RecordInterpreter {
     /// Interprets a GOTO that ends the arc of the open circle; `None` if none is open, or an event is to be queued before it.
     #[inline(always)]
     pub(crate) fn end_arc(&mut self, point: &Point, here: Location) -> Option<Result<Arc, ClFault>> {
-        let alone = !self.tool.is_held() && !self.coordinates.workpiece().is_watched();
+        let alone = !self.is_any_waiting() && !self.coordinates.workpiece().is_watched();
         let circle = self.arc.circle().filter(|_| alone)?;
         if let Err(fault) = self.admit(Permitted::POINT, false) {
             return Some(Err(fault));
@@ -258,7 +270,7 @@ impl RecordInterpreter {
     /// End of the file: queues a tool call that is held, and refuses an arc or curve without an end.
     pub(crate) fn finish(&mut self) -> Result<(), ClFault> {
         let closed = if self.curve.is_open() { self.close_curve() } else { Ok(()) };
-        self.emit_held_tool();
+        self.emit_waiting();
         self.votes.conclude_arc(None);
         closed?;
         self.arc.finish()
@@ -313,7 +325,45 @@ impl RecordInterpreter {
         self.coordinates.take_point(&point)
     }
 
-    fn emit_held_tool(&mut self) {
+    /// Whether a tool call or a stop waits for the records after it.
+    #[inline]
+    fn is_any_waiting(&self) -> bool {
+        self.tool.is_held() || self.waiting_stop.is_some()
+    }
+
+    /// Queues a stop that waits, and the name after it.
+    #[inline]
+    fn emit_waiting_stop(&mut self) {
+        if let Some(WaitingStop { at, name }) = self.waiting_stop.take() {
+            self.events.push(at, QueuedEvent::Plain(Event::Interruption(Interruption::Stop)));
+            self.emit_waiting_name(name);
+        }
+    }
+
+    fn emit_waiting_name(&mut self, name: Option<Location>) {
+        if let Some(here) = name {
+            self.events.push(here, QueuedEvent::WaitingName);
+        }
+    }
+
+    /// Queues the name of an operation; after a stop that waits, it waits, too.
+    fn emit_name(&mut self, here: Location, name: &Text<'_>) {
+        if self.tool.is_held() {
+            self.emit_waiting();
+        }
+        match &mut self.waiting_stop {
+            Some(WaitingStop { name: waiting @ None, .. }) => {
+                *waiting = Some(here);
+                self.waiting_name = decoded(name.bytes).as_bytes().to_vec();
+            }
+            _ => self.emit_text(here, TextUse::Operation, name),
+        }
+    }
+
+    /// Queues what waits.
+    #[inline]
+    fn emit_waiting(&mut self) {
+        self.emit_waiting_stop();
         if let Some(((here, tool), taken)) = self.tool.take_held(&self.options) {
             self.refuse(taken.err());
             let renamed = self.tool.take_name();
@@ -339,7 +389,7 @@ impl RecordInterpreter {
 
     #[inline]
     fn push(&mut self, here: Location, event: QueuedEvent) {
-        self.emit_held_tool();
+        self.emit_waiting();
         self.events.push(here, event);
     }
 
@@ -352,7 +402,7 @@ impl RecordInterpreter {
     /// Whether the next GOTO is a straight motion, where no event is queued before it.
     #[inline]
     pub(crate) fn is_straight(&self) -> bool {
-        self.plain_goto && !self.tool.is_held()
+        self.plain_goto && !self.is_any_waiting()
     }
 
     /// Notes whether a GOTO is independent of circles, curves, cycles, votes and coordinate transforms.
@@ -382,13 +432,20 @@ impl RecordInterpreter {
                 {
                     self.change_set_up(number, here);
                 }
-                self.emit_text(here, TextUse::Operation, name);
+                self.emit_name(here, name);
             }
             ProgramRecord::Message(text) => self.emit_text(here, TextUse::Text(TextKind::Message), text),
             ProgramRecord::Insert(text) => return self.insert(text, here),
             ProgramRecord::Code { letter, number, at } => return self.code(*letter, *number, *at, here),
-            ProgramRecord::OptionalStop => self.stop("OPSTOP", Interruption::OptionalStop, here),
-            ProgramRecord::Stop => self.stop("STOP", Interruption::Stop, here),
+            ProgramRecord::OptionalStop => {
+                self.remark_on_spindle("OPSTOP");
+                self.emit(here, Event::Interruption(Interruption::OptionalStop));
+            }
+            ProgramRecord::Stop => {
+                self.emit_waiting();
+                self.remark_on_spindle("STOP");
+                self.waiting_stop = Some(WaitingStop { at: here, name: None });
+            }
             ProgramRecord::BlockSkip { on } => {
                 self.emit(here, Event::Interruption(Interruption::BlockSkip { on: *on }))
             }
@@ -405,9 +462,9 @@ impl RecordInterpreter {
         }
     }
 
-    /// STOP, OPSTOP. A spindle that is switched on just before is remarked on: the scripts of Autodesk write SPINDL/ON for the
+    /// STOP or OPSTOP, the `word`. A spindle that is switched on just before is remarked on: the scripts of Autodesk write SPINDL/ON for the
     /// command that stops the spindle, and SPINDL/OFF for the one that starts it.
-    fn stop(&mut self, word: &'static str, stop: Interruption<'static>, here: Location) {
+    fn remark_on_spindle(&mut self, word: &'static str) {
         if self.spindle_on_after.take() == Some(self.path.motions()) {
             self.events.warn(ClFault::new(
                 "spindle at a stop",
@@ -419,7 +476,6 @@ impl RecordInterpreter {
                 ),
             ));
         }
-        self.emit(here, Event::Interruption(stop));
     }
 
     fn begin_operation(&mut self) {

@@ -26,7 +26,7 @@ mod transform;
 mod units;
 mod votes;
 
-pub(crate) use self::event_queue::QueuedEvent;
+pub(crate) use self::event_queue::{KeptForEvents, QueuedEvent, TextUse};
 pub use self::frame::StatedFrame;
 pub use self::frame_reading::FrameVote;
 pub use self::holes::CycleArg;

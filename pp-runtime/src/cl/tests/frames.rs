@@ -51,6 +51,29 @@ fn a_second_frame_is_mapped_into_the_first_or_begins_a_set_up() {
     assert_eq!(set_ups, ["SetUp(2)", "SetUp(1)", "SetUp(2)"]);
 }
 
+/// A STOP at the end of a set-up is the stop in which the part is clamped again: park, text, stop.
+#[test]
+fn a_stop_before_another_set_up_is_the_stop_between_them() {
+    let text = |between: &str| TWO_FRAMES.replace("\nMSYS/11", &format!("\n{between}MSYS/11"));
+    let found = |between: &str| events_without_places(&text(between), with_set_up(&[2], None))[1..].to_vec();
+    let (change, then) = (["Home", CLAMPED, "Stop", "SetUp(2)"], "feed 1 2 3 axis 0.6 0 0.8 None");
+    assert_eq!(found("STOP\n")[..4], change);
+    let named = found("STOP\nEND-OF-PATH\nTOOL PATH/OP20,TOOL,A\n");
+    assert!(named[0].starts_with("operation") && named[1..5] == change && named[5] == then, "{named:?}");
+    // What acts or is displayed between them separates them.
+    let message = found("STOP\nPPRINT/MEASURE\n");
+    assert_eq!(message[..2], ["Stop", "message MEASURE"]);
+    assert_eq!(message[2..6], change);
+    for between in ["STOP\nCOOLNT/OFF\n", "STOP\nSTOP\n", "STOP\nLOAD/TOOL,2\n"] {
+        assert_eq!(found(between)[0], "Stop", "{between}");
+        assert_eq!(found(between).iter().filter(|event| *event == "Stop").count(), 2, "{between}");
+    }
+    // Without another set-up it stops where it is written, and the name comes after it.
+    let alone = events_without_places("GOTO/1,2,3\nSTOP\nTOOL PATH/OP20,TOOL,A\nGOTO/1,2,9\nSTOP\n", mm());
+    let stops: Vec<usize> = alone.iter().enumerate().filter(|(_, event)| *event == "Stop").map(|(at, _)| at).collect();
+    assert_eq!(stops, [1, 4], "{alone:?}");
+}
+
 /// A face whose Z is the model's X, with its origin at (50, 0, 0), after a first face.
 const FACE: &str = "MSYS/0,0,0,1,0,0,0,1,0\nGOTO/0,0,9\nMSYS/50,0,0,0,0,-1,0,1,0\n";
 

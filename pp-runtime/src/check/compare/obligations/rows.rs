@@ -56,6 +56,8 @@ pub(in crate::check) enum Duty {
     // What follows is not owed after an event, but seen where it is needed.
     /// The tool is away from the part.
     Away,
+    /// The machine is at its retract, since whatever.
+    Retracted,
     SpindleOff,
     /// Off for certain.
     SpindleStopped,
@@ -180,7 +182,7 @@ pub(in crate::check) const NEEDED: [Needed; 49] = [
     needed(Place::Stop, Duty::CutsEnded, always, ""),
     needed(Place::Stop, Duty::Parking, always, ""),
     needed(Place::Stop, Duty::ClampsOfCuts, always, ""),
-    needed(Place::Stop, Duty::Retract, stops_retracted, "program stop before the machine has retracted"),
+    needed(Place::Stop, Duty::Retracted, stops_retracted, "program stop before the machine has retracted"),
     needed(Place::Stop, Duty::StateAtEnd, stops_retracted, ""),
     needed(Place::Stop, Duty::ApproachEnded, always, ""),
 
@@ -193,7 +195,7 @@ pub(in crate::check) const NEEDED: [Needed; 49] = [
     needed(Place::BlockSkip, Duty::ClampsOfCuts, always, ""),
     needed(Place::BlockSkip, Duty::SpindleAndCoolantOff, always, "blocks that may be skipped begin and end with spindle and coolant off: one of them is on before this block"),
 
-    needed(Place::Standstill, Duty::Retract, always, "a clamp, a chuck, a door or a pallet moves here: expected the machine retract before this block"),
+    needed(Place::Standstill, Duty::Retracted, always, "a clamp, a chuck, a door or a pallet moves here: expected the machine retract before this block"),
     needed(Place::Standstill, Duty::SpindleStopped, always, "a clamp, a chuck, a door or a pallet moves here: the spindle is not known to be off"),
 
     needed(Place::Measuring, Duty::Retract, always, "the machine has not retracted before the tool is measured or checked for breakage"),
@@ -218,7 +220,7 @@ pub(in crate::check) const NEEDED: [Needed; 49] = [
     needed(Place::Cut, Duty::CycleAtLevel, always, "the tool has come to the level of a cycle, and this is none"),
     needed(Place::Cycle, Duty::SpindleAgain, always, SPINDLE_AGAIN),
 
-    needed(Place::End, Duty::Retract, always, "end code before the machine has retracted"),
+    needed(Place::End, Duty::Retracted, always, "end code before the machine has retracted"),
     needed(Place::End, Duty::ProgramEnded, always, ""),
     needed(Place::End, Duty::StateAtEnd, always, ""),
     needed(Place::End, Duty::ApproachEnded, always, ""),

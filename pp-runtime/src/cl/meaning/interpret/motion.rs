@@ -21,7 +21,7 @@ use crate::set_up::ClPoint;
 impl RecordInterpreter {
     #[inline(always)]
     pub(crate) fn take_motion(&mut self, record: &MotionRecord<'_>, here: Location) -> Result<(), ClFault> {
-        self.emit_held_tool();
+        self.emit_waiting();
         match record {
             MotionRecord::From(point) => self.start_at(point, here),
             MotionRecord::Goto(point) => self.go_to(point, here),

@@ -134,8 +134,11 @@ impl RecordInterpreter {
         self.coordinates.take_frame(frame, at, options, dialect)
     }
 
-    /// Another set-up begins: the axes are parked, and the operator clamps the part.
+    /// Another set-up begins: the axes are parked, and the operator clamps the part. A STOP before it is the one in which he does.
     pub(crate) fn change_set_up(&mut self, number: u32, here: Location) {
+        if let Some(stop) = self.waiting_stop.take() {
+            self.emit_waiting_name(stop.name);
+        }
         self.begin_operation();
         self.coordinates.map_frame();
         self.path.change_frame();
@@ -238,7 +241,7 @@ impl RecordInterpreter {
             Some(length) => Some(length * self.units.millimetres(Span::WHOLE)?),
             None => None,
         };
-        self.emit_held_tool();
+        self.emit_waiting();
         self.begin_operation();
         self.coolant_kind_is_on = false;
         self.tool.call(tool, length, here);
