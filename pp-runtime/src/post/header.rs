@@ -152,6 +152,10 @@ pub(crate) fn assumptions(
             ));
         }
     }
+    let empties = control.spellings().empty_spindle_note;
+    if survey.empties_spindle && !empties.is_empty() {
+        list.push(empties.to_owned());
+    }
     for (letter, wrap) in &config.motion.rotaries.wrap {
         match wrap {
             Wrap::Positive | Wrap::Symmetric => {

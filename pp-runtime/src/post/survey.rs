@@ -56,6 +56,8 @@ pub(crate) struct Survey {
     pub(crate) stretches: Stretches,
     /// Tools that move, in the order of their numbers.
     pub(crate) tools: Vec<ToolUse>,
+    /// The spindle is left without a tool.
+    pub(crate) empties_spindle: bool,
     /// Tool numbers in the order in which the tools are used.
     pub(crate) order: Vec<u32>,
     /// Tools that are called while CUTCOM requests compensation.
@@ -307,6 +309,7 @@ impl Surveyor {
                 }
             }
             Event::NewStart(NewStart::Operation(name)) => self.selection.name(name),
+            Event::NewStart(NewStart::Tool(ToolCall { number: 0, .. })) => self.survey.empties_spindle = true,
             Event::NewStart(NewStart::Tool(call)) => self.call_tool(at, call),
             Event::Function(MachineFunction::Spindle(Spindle::On { .. })) => self.spindle = true,
             Event::NewStart(NewStart::SetUp(number)) => {

@@ -41,7 +41,7 @@ impl ClFacts {
                 Event::NewStart(NewStart::Operation(bytes)) => {
                     name = Some(String::from_utf8_lossy(bytes).trim().to_owned())
                 }
-                Event::NewStart(NewStart::Tool(call)) => {
+                Event::NewStart(NewStart::Tool(call)) if call.number > 0 => {
                     let known = &mut facts.tools.entry(call.number).or_default().call;
                     *known = call.completed_by(known);
                     tool = Some(call.number);

@@ -210,7 +210,7 @@ impl Comparison<'_> {
 
     /// Under tip control the words of all axes change with the position of the retract axis, and a rapid need not be straight:
     /// the other axes must have arrived before.
-    pub(super) fn is_over_approach_point(&mut self, retracted: &Retracted, current: &Current<'_>, end: &ToolPose) {
+    fn is_over_approach_point(&mut self, retracted: &Retracted, current: &Current<'_>, end: &ToolPose) {
         let (rules, before) = (&self.rules, &self.previous.words);
         let over = retracted.across.is_some_and(|at| rules.moves_retract_axis_alone(&at, before, current.block, end));
         if !over {
@@ -222,7 +222,7 @@ impl Comparison<'_> {
     }
 
     /// Each axis moves once in an approach; one that takes the shorter way may do so in steps.
-    pub(super) fn moves_once(&mut self, retracted: &mut Retracted, enters_tip_control: bool, current: &Current<'_>) {
+    fn moves_once(&mut self, retracted: &mut Retracted, enters_tip_control: bool, current: &Current<'_>) {
         let block = current.block;
         let (before, mut moved) = retracted.approach;
         if enters_tip_control && retracted.before_tip_control {
@@ -247,7 +247,7 @@ impl Comparison<'_> {
     }
 
     /// In a tilted plane the rotary axes are where the plane requires them.
-    pub(super) fn compare_plane(&mut self, current: &Current<'_>, end: &ToolPose) {
+    fn compare_plane(&mut self, current: &Current<'_>, end: &ToolPose) {
         let block = current.block;
         if block.state.tilt.is_none() {
             return;
@@ -332,13 +332,13 @@ impl Comparison<'_> {
     }
 
     /// Whether a pose is the approach point of the next motion.
-    pub(super) fn is_over_next(&self, end: &ToolPose) -> bool {
+    fn is_over_next(&self, end: &ToolPose) -> bool {
         self.progress.motion().is_some_and(|next| self.rules.is_at(end, &self.approach_point(0, next)))
     }
 
     /// An approach to a hole leads straight over it, and down to it: the lift from the last position, the way over and a rapid on
     /// the way down are not needed.
-    pub(super) fn pass_lift_to_hole(&mut self, end: &ToolPose) {
+    fn pass_lift_to_hole(&mut self, end: &ToolPose) {
         let ahead = |index: usize| {
             let item = self.progress.get(index)?;
             Some((item.hole.as_ref()?.number, item.motion()?))
@@ -354,12 +354,7 @@ impl Comparison<'_> {
     }
 
     /// The rewind that this approach comes back from, if the cut continues.
-    pub(super) fn rewind_of(
-        &mut self,
-        retracted: &Retracted,
-        end: &ToolPose,
-        current: &Current<'_>,
-    ) -> Option<RewindPoint> {
+    fn rewind_of(&mut self, retracted: &Retracted, end: &ToolPose, current: &Current<'_>) -> Option<RewindPoint> {
         let rewind = retracted.rewind.clone()?;
         // An operation may begin where the last one ended. It has a restart point, a way back has none; safety lines of the
         // shop may say nothing.
@@ -405,7 +400,7 @@ impl Comparison<'_> {
     }
 
     /// Way back from above the point at which the rotary axes were rewound.
-    pub(super) fn come_back(&mut self, rewind: &RewindPoint, current: &Current<'_>, end: &ToolPose) -> Segment {
+    fn come_back(&mut self, rewind: &RewindPoint, current: &Current<'_>, end: &ToolPose) -> Segment {
         let pose = rewind.pose;
         let back = self.above(rewind, end);
         let above = back.unwrap_or_else(|| {

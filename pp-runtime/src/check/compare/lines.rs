@@ -64,7 +64,7 @@ impl Comparison<'_> {
 
     /// A line that the user brought in; `is_of_cl`: it is the stop of the CL data.
     #[inline(never)]
-    pub(super) fn own_line(&mut self, own: &OwnLine, is_of_cl: bool, phase: &Phase, current: &Current<'_>) {
+    fn own_line(&mut self, own: &OwnLine, is_of_cl: bool, phase: &Phase, current: &Current<'_>) {
         self.functions.line(&own.places);
         if own.places.contains(&OwnPlace::TipControl { on: false }) {
             self.duties.happens(Event::TipControlOff);
@@ -83,7 +83,7 @@ impl Comparison<'_> {
     }
 
     /// A line of the shop for the start of an operation comes after its complete state, its tool change and the retract.
-    pub(super) fn begins_operation(&mut self, own: &OwnLine, is_of_cl: bool, current: &Current<'_>) {
+    fn begins_operation(&mut self, own: &OwnLine, is_of_cl: bool, current: &Current<'_>) {
         let of_start = |place: &OwnPlace| {
             matches!(place, OwnPlace::OperationStart | OwnPlace::ToolStart { .. } | OwnPlace::MeasureTool)
         };
@@ -104,7 +104,7 @@ impl Comparison<'_> {
     }
 
     /// The rules of a block with codes: the complete state, a restart, and values that the control compares.
-    pub(super) fn guards_and_restart(&mut self, phase: &mut Phase, current: &Current<'_>) {
+    fn guards_and_restart(&mut self, phase: &mut Phase, current: &Current<'_>) {
         let block = current.block;
         if block.restart {
             // Tip control ends with the safety line, if it is still on, in the part.
@@ -140,7 +140,7 @@ impl Comparison<'_> {
 
     /// Changes of length compensation and planes that must not happen at the part.
     #[inline(never)]
-    pub(super) fn modes_before_task(&mut self, phase: &Phase, current: &Current<'_>) {
+    fn modes_before_task(&mut self, phase: &Phase, current: &Current<'_>) {
         let block = current.block;
         if block.state.coolant.is_some_and(|on| on & THROUGH != 0) {
             self.duties.happens(Event::ThroughCoolant);

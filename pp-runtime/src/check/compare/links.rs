@@ -72,7 +72,7 @@ impl Comparison<'_> {
     }
 
     /// Linear axes to their parking positions; whether the block does that.
-    pub(super) fn parks_linear(&mut self, phase: &mut Phase, current: &Current<'_>) -> bool {
+    fn parks_linear(&mut self, phase: &mut Phase, current: &Current<'_>) -> bool {
         let block = current.block;
         let begun = matches!(phase, Phase::Retracted(retracted) if retracted.parks) || self.progress.next().is_none();
         let parks = block.action == Action::Machine
@@ -133,7 +133,7 @@ impl Comparison<'_> {
     }
 
     /// The machine retract.
-    pub(super) fn machine_retract(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Phase> {
+    fn machine_retract(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Phase> {
         let block = current.block;
         let (index, position) = (self.rules.words().retract(), self.rules.policy().links.retract_mm);
         if let Some(text) = self.travel.machine_coordinate(index, position) {
@@ -239,7 +239,7 @@ impl Comparison<'_> {
 
     /// State in which the spindle may be at the retract position: as in the last cut, as a SPINDL after it requests, or as in the
     /// operation to which the link leads; off after a stop.
-    pub(super) fn spindle_may_be(&self, block: &Block, stopped: bool) -> Option<SpindleState> {
+    fn spindle_may_be(&self, block: &Block, stopped: bool) -> Option<SpindleState> {
         block.state.spindle.flatten().filter(|_| !stopped)?;
         let requested = self.progress.requested_spindle().flatten();
         let in_cut = self.progress.last().and_then(|required| required.spindle);

@@ -59,7 +59,7 @@ impl Comparison<'_> {
     }
 
     /// A block with which a probe measures: the first where the last motion has ended.
-    pub(super) fn probes(&mut self, phase: &Phase, first: bool, current: &Current<'_>) {
+    fn probes(&mut self, phase: &Phase, first: bool, current: &Current<'_>) {
         let state = &current.block.state;
         if first && !matches!(phase, Phase::Cutting(_)) {
             self.found(current, "the tool is not at the point at which the probe measures");
@@ -121,7 +121,7 @@ impl Comparison<'_> {
     }
 
     /// Records act in the order of the CL data: a tool is changed before the records after its call.
-    pub(super) fn compare_tool(&mut self, current: &Current<'_>) {
+    fn compare_tool(&mut self, current: &Current<'_>) {
         let Some(item) = self.progress.next() else { return };
         if !self.is_with_tool(item, current.block) {
             let (tool, required) = (tool_name(current.block.state.tool), tool_name(item.required.tool));
@@ -147,7 +147,7 @@ impl Comparison<'_> {
     }
 
     /// Where the program has been lost, it continues at the next item that suits.
-    pub(super) fn find_again(
+    fn find_again(
         &mut self,
         phase: &mut Phase,
         suits: impl Fn(&ExpectedItem) -> bool,
@@ -283,7 +283,7 @@ impl Comparison<'_> {
 
     /// The first block that may be skipped, or that may no longer.
     #[inline(never)]
-    pub(super) fn change_block_skip(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<()> {
+    fn change_block_skip(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<()> {
         let on = current.block.skippable;
         self.pass_needless(phase)?;
         match self.progress.next().map(|item| &item.action) {

@@ -72,6 +72,8 @@ pub(crate) struct RecordInterpreter {
     cutcom: CutcomOn,
     /// Number of motions before the last SPINDL/ON without a speed or sense of rotation.
     spindle_on_after: Option<u64>,
+    /// Place of the record that has left the spindle empty.
+    unloaded: Option<Location>,
     /// STOP, which waits for a change of set-up: both are one stop.
     waiting_stop: Option<WaitingStop>,
     /// Name of the operation after it.
@@ -201,7 +203,7 @@ impl RecordInterpreter {
     /// Interprets a GOTO that ends the arc of the open circle; `None` if none is open, or an event is to be queued before it.
     #[inline(always)]
     pub(crate) fn end_arc(&mut self, point: &Point, here: Location) -> Option<Result<Arc, ClFault>> {
-        let alone = !self.is_any_waiting() && !self.coordinates.workpiece().is_watched();
+        let alone = !self.is_any_waiting() && self.unloaded.is_none() && !self.coordinates.workpiece().is_watched();
         let circle = self.arc.circle().filter(|_| alone)?;
         if let Err(fault) = self.admit(Permitted::POINT, false) {
             return Some(Err(fault));
@@ -325,6 +327,20 @@ impl RecordInterpreter {
         self.coordinates.take_point(&point)
     }
 
+    /// Refuses the record that has left the spindle empty, where the tool moves after it.
+    fn refuse_empty_spindle(&mut self) {
+        if let Some(here) = self.unloaded.take() {
+            let fault = ClFault::new(
+                "tool 0",
+                Span::WHOLE,
+                "the spindle is left without a tool (tool 0 or UNLOAD), and the tool moves after it",
+                "number every tool in the CAM system, and call one before the motion; to empty the spindle, let this be the last tool of \
+                 the file",
+            );
+            self.events.refuse(here, fault);
+        }
+    }
+
     /// Whether a tool call or a stop waits for the records after it.
     #[inline]
     fn is_any_waiting(&self) -> bool {
@@ -402,7 +418,7 @@ impl RecordInterpreter {
     /// Whether the next GOTO is a straight motion, where no event is queued before it.
     #[inline]
     pub(crate) fn is_straight(&self) -> bool {
-        self.plain_goto && !self.is_any_waiting()
+        self.plain_goto && !self.is_any_waiting() && self.unloaded.is_none()
     }
 
     /// Notes whether a GOTO is independent of circles, curves, cycles, votes and coordinate transforms.

@@ -80,7 +80,8 @@ impl ToolCallRecord {
 /// A record that calls, preselects or describes a tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ToolRecord {
-    /// `LOADTL/n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL][,'comment'][,NEXTTL,n]`, `LOAD/TOOL,n[,..]`.
+    /// `LOADTL/n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL][,'comment'][,NEXTTL,n]`, `LOAD/TOOL,n[,..]`;
+    /// tool 0, and `UNLOAD[/TOOL[,n]]`, leave the spindle empty.
     Call(ToolCallRecord),
     /// `SELECT/TOOL,n`, `SELCTL/n`.
     Preselect(u32),
@@ -104,22 +105,26 @@ pub enum ToolRecord {
     },
 }
 
+/// UNLOAD: `[TOOL[,n]]`. The tool goes back to the magazine: tool 0 is an empty spindle.
+pub(crate) fn unload(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
+    if let Some(arg) = args.next()? {
+        if !arg.is("TOOL") {
+            return Err(args.not_understood(arg));
+        }
+        if let Some(number) = args.next()? {
+            number.integer()?;
+        }
+    }
+    Ok(ToolRecord::Call(ToolCallRecord::new(0)))
+}
+
 /// LOADTL: `n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL][,'comment'][,NEXTTL,n]`.
 ///
 /// SPINDL and MILL are words of a table of CATIA (`LOADTL/%n,ADJUST,%h,SPINDL,%s,MILL`; TURN for a turning tool): the speed
 /// has no effect until SPINDL starts the spindle. IN is written by the post *Generative Machining APT* of HSMWorks.
 pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
     let first = args.needed()?;
-    let number = first.integer()?;
-    if number == 0 {
-        return Err(ClFault::new(
-            "tool 0",
-            first.at,
-            "tool number 0 is not permitted",
-            "number every tool in the CAM system: two tools with number 0 would be the same tool",
-        ));
-    }
-    let mut tool = ToolCallRecord::new(number);
+    let mut tool = ToolCallRecord::new(first.integer()?);
     while let Some(arg) = args.next()? {
         if arg.looks_numeric() {
             tool.take_number(arg, args)?;

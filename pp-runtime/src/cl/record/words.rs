@@ -227,7 +227,7 @@ static TABLE: &[Row] = &[
     row("UNCLAMP", Automatic(CLAMPS), ""),
     row("UNIT", Read(|args| coordinates::units(args).map(Coordinates)), "/MM|INCH"),
     row("UNITS", Read(|args| coordinates::units(args).map(Coordinates)), "/MM|INCH|INCHES"),
-    row("UNLOAD", Refused("it leaves the spindle without a tool"), ""),
+    row("UNLOAD", Read(|args| tool::unload(args).map(Tool)), "[/TOOL[,n]]"),
     row("WCS", Hazard(OFFSET), ""),
     row("WPLANE", Hazard(FRAME), ""),
     row("ZERO", Hazard(OFFSET), ""),

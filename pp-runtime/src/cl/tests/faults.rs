@@ -341,10 +341,21 @@ fn a_second_frame_is_refused_with_both_lines() {
 }
 
 #[test]
-fn tool_0_is_no_tool() {
-    let text = "tool number 0 is not permitted";
-    refused("LOADTL/0\nGOTO/0,0,0\n", &format!("1:8+1 {text}"));
-    refused("LOAD/TOOL,0,ADJUST,1\nGOTO/0,0,0\n", &format!("1:11+1 {text}"));
+fn tool_0_leaves_the_spindle_empty() {
+    let text = "the spindle is left without a tool (tool 0 or UNLOAD), and the tool moves after it";
+    for record in ["LOADTL/0", "LOAD/TOOL,0,ADJUST,1", "UNLOAD/TOOL", "UNLOAD/TOOL,3", "UNLOAD"] {
+        for motion in ["GOTO/0,0,0", "RAPID\nGOTO/0,0,0", "GODLTA/1,0,0"] {
+            let found = errors(&format!("LOADTL/1\nGOTO/0,0,9\n{record}\n{motion}\nGOTO/0,0,5\n"));
+            assert!(found.len() == 1 && found[0].starts_with("3:1") && found[0].contains(text), "{record}: {found:?}");
+        }
+        let arc = "INDIRV/1,0,0\nTLON,GOFWD/ (CIRCLE/5,0,5),ON,(LINE/5,0,9,5,9,9)";
+        assert!(!errors(&format!("LOADTL/1\nGOTO/0,0,9\n{record}\n{arc}\n")).is_empty(), "{record}");
+        // At the end, and before another tool.
+        for after in ["", "GOHOME\n", "LOADTL/2\nGOTO/0,0,8\n", "STOP\nLOADTL/2\nGOTO/0,0,8\n"] {
+            assert!(events(&format!("LOADTL/1\nGOTO/0,0,9\n{record}\n{after}")).len() > 2, "{record} {after}");
+        }
+    }
+    refused("UNLOAD/PALLET\n", "1:8+6");
 }
 
 #[test]

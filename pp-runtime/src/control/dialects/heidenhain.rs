@@ -233,6 +233,8 @@ static SPELLINGS: Spellings = Spellings {
         MachineRetract { name: "M140", form: RetractForm::AlongTool { block: "L M140 MB MAX" } },
     ],
     tool_change: &["TOOL CALL {tool} Z S{speed} DR{radius_delta}", "TOOL DEF {next}"],
+    // TNC7 basic, User's Manual (81762x-19), "Tool ID number": TOOL CALL 0 unloads the tool and inserts no new one.
+    empty_spindle_note: "",
     tool_name: Some(["\"", "\""]),
     tool_name_byte: |byte| byte.is_ascii_uppercase() || byte.is_ascii_digit() || b"#$%&,-._@".contains(&byte),
     preselect: true,

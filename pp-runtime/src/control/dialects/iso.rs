@@ -65,6 +65,8 @@ impl Spellings {
         machine: ["G53 G0", ""],
         retracts: &[MachineRetract::to_machine_coordinate("G53")],
         tool_change: &["T{tool} M6", "T{next}"],
+        // From memory: usual on machines with this control.
+        empty_spindle_note: "T0 puts the tool away and leaves the spindle empty, which no public manual of this control states",
         tool_name: None,
         tool_name_byte: |_| false,
         preselect: true,

@@ -49,6 +49,8 @@ static SPELLINGS: Spellings = Spellings {
         "the tool table must hold twice the wear, and no diameter",
     ],
     preselect: false,
+    // LinuxCNC documentation, M codes, M6: with tool 0 there is no tool in the spindle after it.
+    empty_spindle_note: "",
     retracts: &[MachineRetract::to_machine_coordinate("G53"), MachineRetract::to_reference_position(false)],
     // G43 moves nothing, and G53 leaves it in force.
     length: LengthCodes {

@@ -140,6 +140,8 @@ static SPELLINGS: Spellings = Spellings {
     machine: ["SUPA G0", "D0"],
     retracts: &[MachineRetract::to_machine_coordinate("SUPA")],
     tool_change: &["T{tool}", "M6", "T{next}"],
+    // industrialmonitordirect.com, "SINUMERIK 840D PLC restore tool conflict resolution": T0 M6 returns the tool to its place.
+    empty_spindle_note: "",
     tool_name: Some(["=\"", "\""]),
     tool_name_byte: |byte| (b' '..=b'~').contains(&byte) && byte != b'"',
     length: LengthCodes {

@@ -105,6 +105,8 @@ pub struct Spellings {
     pub retracts: &'static [MachineRetract],
     /// Tool change, and preselection of the next tool.
     pub tool_change: &'static [&'static str],
+    /// What is assumed where tool 0 is called, which leaves the spindle empty; without a text the manual of the control has it.
+    pub empty_spindle_note: &'static str,
     /// Text before and after the name of a tool that is called by name, in the place of `{tool}`; `None` if tools have numbers
     /// only. An equals sign before is written after an address only: `T="MILL 10"`, but `L9001("MILL 10")`.
     pub tool_name: Option<[&'static str; 2]>,

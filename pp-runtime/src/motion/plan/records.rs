@@ -308,7 +308,8 @@ impl<S: Sink> Records<'_, '_, S> {
         if other || direct || !self.planner.may_stay() {
             self.leave()?;
         }
-        if let Some(left_out) = next.filter(|next| next.number != tool.number) {
+        // Before another tool nothing has to be put away for itself.
+        if let Some(left_out) = next.filter(|next| next.number != tool.number && next.number > 0) {
             let text = format!(
                 "T{} is called, and T{} before anything is written: the first stays out of the program",
                 left_out.number, tool.number
@@ -326,7 +327,7 @@ impl<S: Sink> Records<'_, '_, S> {
     fn resolve(&mut self, call: &ToolCall) -> Result<LoadedTool, Fault> {
         let planner = &mut *self.planner;
         let named = planner.policy.set_up.tools.get(&call.number).is_some_and(|tool| tool.name.is_some());
-        if planner.abilities.tools_by_name && !named {
+        if planner.abilities.tools_by_name && !named && call.number > 0 {
             let fault = Fault::new(format_args!("T{} has no name, and tools are called by their names", call.number));
             return Err(fault.help(format_args!("give `[tools.{}] name` in the configuration", call.number)));
         }

@@ -248,7 +248,10 @@ impl<S: Sink> Planner<'_, S> {
         self.tooling.load(tool, change);
         self.mover.set_gauge_length(tool.length_mm);
         let given = self.policy.set_up.tools.get(&tool.number);
-        let spindle = self.spindle.requested().resolve(given, self.policy)?;
+        let spindle = match tool.number {
+            0 => None,
+            _ => self.spindle.requested().resolve(given, self.policy)?,
+        };
         let radius_delta = cutter::radius_delta(self, &tool)?;
         if change {
             self.come_to(Place::ToolChange)?;

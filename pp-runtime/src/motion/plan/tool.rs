@@ -32,6 +32,9 @@ pub(crate) struct SpindleRequest {
 }
 
 impl LoadedTool {
+    /// An empty spindle.
+    pub(crate) const NONE: Self = Self { number: 0, length_mm: None, offset: 0, radius_mm: None };
+
     /// The tool of a record. `needed`: reason why the words depend on the length, if they do.
     pub(crate) fn resolve(
         call: &ToolCall,
@@ -40,6 +43,9 @@ impl LoadedTool {
         registers: Registers,
     ) -> Result<Self, Fault> {
         let number = call.number;
+        if number == 0 {
+            return Ok(Self::NONE);
+        }
         let given = policy.set_up.tools.get(&number);
         let length = call.length_mm.or(given.and_then(|tool| tool.length_mm));
         if let Some(why) = needed

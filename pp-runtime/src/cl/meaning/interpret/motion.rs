@@ -22,6 +22,9 @@ impl RecordInterpreter {
     #[inline(always)]
     pub(crate) fn take_motion(&mut self, record: &MotionRecord<'_>, here: Location) -> Result<(), ClFault> {
         self.emit_waiting();
+        if !matches!(record, MotionRecord::Home(None)) {
+            self.refuse_empty_spindle();
+        }
         match record {
             MotionRecord::From(point) => self.start_at(point, here),
             MotionRecord::Goto(point) => self.go_to(point, here),

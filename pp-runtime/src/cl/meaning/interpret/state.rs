@@ -12,7 +12,7 @@ use crate::cl::record::{
 use crate::cl::text::{ClFault, Span};
 use crate::program::{
     Compensation, Coolant, CutterSide, Dwell, Event, Interruption, Location, MachineFunction, NewStart,
-    ReferenceGeometry, TextKind, Units,
+    ReferenceGeometry, TextKind, ToolCall, Units,
 };
 
 /// Longest dwell that is not warned of, seconds.
@@ -224,6 +224,13 @@ impl RecordInterpreter {
     }
 
     fn call_tool(&mut self, call: &ToolCallRecord, here: Location) -> Result<(), ClFault> {
+        self.unloaded = (call.number == 0).then_some(here);
+        if call.number == 0 {
+            self.begin_operation();
+            self.coolant_kind_is_on = false;
+            self.emit(here, Event::NewStart(NewStart::Tool(ToolCall::default())));
+            return Ok(());
+        }
         let tool = &tool_numbers::with_names(call, &self.options, self.dialect())?;
         let is_given = || self.options.tools.get(&tool.number).is_some_and(|given| given.length_mm.is_some());
         if call.length.is_some() && tool.length.is_none() && !is_given() {
