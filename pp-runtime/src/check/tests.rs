@@ -113,7 +113,7 @@ fn findings<M: Machine>(config: &Config, control: &dyn Control, data: &str, prog
     outcome.findings.into_iter().map(|found| format!("{}: {}", found.location.line, found.text)).collect()
 }
 
-/// Behind arcs by their angle the tool stands a few roundings off the words of their ends; a point that is there already and
+/// Behind arcs by their angle the tool is a few roundings off the words of their ends; a point that is there already and
 /// whole turns from there are run from where it is.
 #[test]
 fn whole_turns_behind_a_helix_by_its_angle_begin_where_it_ended() {

@@ -1,4 +1,4 @@
-//! `[check]`: edits of a posted program that are meant.
+//! `[check]`: permitted edits of a posted program.
 
 use serde_json::{Value as Json, json};
 
@@ -6,7 +6,7 @@ use crate::check::policy::{EditPolicy, EditedBlock, MeantEdit};
 use crate::keys::{Bound, KeyKind, KeyReader, KeyScope, KeyTable, Measure, Printed, TomlValue, options};
 
 options! {
-    /// Edits of a posted program that are meant. Permission comes from here, never from the program; F may go down, coolant may
+    /// Permitted edits of a posted program. Permission comes from here, never from the program; F may go down, coolant may
     /// change, waits may be longer, M0 and M1 may be added, the steps of a deep hole may be smaller, and within these factors F may
     /// go up and S may change.
     pub struct EditOptions in "check" {

@@ -78,7 +78,7 @@ options! {
         formats: nc::Formats = nc::Formats::DEFAULT, keys();
         /// How the control differs from its table.
         control: ControlOptions = ControlOptions::default(), keys();
-        /// Edits of a posted program that are meant.
+        /// Permitted edits of a posted program.
         check: EditOptions = EditOptions::default(), keys();
         /// The file has lengths and does not state its unit: mm is assumed.
         file_units_assumed: bool = false;

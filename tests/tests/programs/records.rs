@@ -14,7 +14,7 @@ use tests::environment;
 use tests::random::Random;
 
 /// Random jobs of a test run.
-const JOBS: u64 = 300;
+const JOBS: u64 = 400;
 
 const CONTROLS: [&str; 5] = ["fanuc", "haas", "siemens", "linuxcnc", "heidenhain"];
 

@@ -7,7 +7,7 @@ use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::LinearMeaning;
 use super::super::read::{Block, TipControl};
 use super::super::rules::{FrameUse, ModalContext};
-use super::obligations::{Duty, Event, Place};
+use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
 use super::station::Station;
 use super::{Comparison, Current, parking, retract};
@@ -42,7 +42,7 @@ impl Comparison<'_> {
     /// A rapid from the retract position: one of the steps to the approach point.
     pub(super) fn approach(&mut self, retracted: &mut Retracted, current: &Current<'_>) -> io::Result<Option<Phase>> {
         self.fill_for_approach(current)?;
-        self.come_to_cut(Place::ApproachStep, current);
+        self.come_to_cut(DutyPlace::ApproachStep, current);
         let step = self.approach_step(retracted, current.block);
         if self.goes_elsewhere(retracted, step, current) {
             return Ok(None);
@@ -300,7 +300,7 @@ impl Comparison<'_> {
         let missing = self.shop_lines.approach(starts, tool);
         self.found_all(current, missing);
         if starts {
-            self.come_to(Place::Operation, None, current);
+            self.come_to(DutyPlace::Operation, None, current);
         }
         self.pass_lift_to_hole(end);
         let Some(motion) = self.progress.motion() else { return cutting };
@@ -432,7 +432,7 @@ impl Comparison<'_> {
         if let Phase::Retracted(retracted) = phase {
             retracted.since_plane = Some(0);
             if self.rules.facts().plane_guard {
-                self.duties.happens(Event::PlaneCall);
+                self.duties.happens(DutyEvent::PlaneCall);
             }
         }
         let state = &current.block.state;

@@ -15,7 +15,7 @@ use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, MAX_AXES, Side};
 use super::super::rules::{Deviation, DeviationBound, LinkForm, ModalContext, StateFault, Stroke};
 use super::hole::lean_of_words;
-use super::obligations::{Event, Place};
+use super::obligations::{DutyEvent, DutyPlace};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
 use super::{Comparison, Current, Previous, retract};
@@ -293,9 +293,9 @@ impl Comparison<'_> {
         let start = part.segment.tip_at(self.progress.along());
         cutting.retract.follow(&start, &ToolPose { axis: end.axis, ..on });
         if !part.rapid {
-            self.come_to_cut(Place::Cut, current);
+            self.come_to_cut(DutyPlace::Cut, current);
         }
-        self.duties.happens(Event::Motion);
+        self.duties.happens(DutyEvent::Motion);
         self.progress.set_lost(false);
         self.finish_part(cutting, end, part, (at_feed, link));
     }

@@ -8,7 +8,7 @@ use super::super::geometry::ToolPose;
 use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, CycleMove};
 use super::hole::{CycleComparison, is_over, pose_at, words_at};
-use super::obligations::{Event, Place};
+use super::obligations::{DutyEvent, DutyPlace};
 use super::phase::{Cutting, Phase, RetractedLength};
 use super::{Comparison, Current, Findings};
 use crate::program::Feed;
@@ -47,7 +47,7 @@ impl Comparison<'_> {
         if lifts {
             // It may come down to a thread again.
             if returns && !at(hole.clearance_mm) {
-                self.duties.happens(Event::LevelOfCycle);
+                self.duties.happens(DutyEvent::LevelOfCycle);
             }
             self.pass_over_hole(cutting.here.as_ref(), number);
             self.progress.begin_at(*end);
@@ -108,7 +108,7 @@ impl Comparison<'_> {
         if self.progress.is_made(expected.number) {
             self.found(current, "this hole has been made already: the cycle runs twice");
         }
-        self.duties.happens(Event::Cycle);
+        self.duties.happens(DutyEvent::Cycle);
         let starts = self.progress.motion().is_some_and(|motion| motion.starts);
         if !matches!(phase, Phase::Cutting(_)) || (starts && !self.progress.is_approached()) {
             self.found(current, "cycle without an approach before it");
@@ -133,7 +133,7 @@ impl Comparison<'_> {
         let block = current.block;
         self.compare_state(current, required);
         if !block.action.is_rigid_thread() && !self.rules.facts().stops_spindle(&block.action) {
-            self.come_to_cut(Place::Cycle, current);
+            self.come_to_cut(DutyPlace::Cycle, current);
         }
         // Smoothing is off in a cycle.
         let off = RequiredSmoothing { level: None, ..required.smoothing };

@@ -382,7 +382,7 @@ fn guarded(rules: &Rules<'_>, required: &Required) -> Option<LengthSource> {
     }
 }
 
-/// What is wrong with the place of a line of the shop that stands at these places of the configuration: nothing if it may come
+/// What is wrong with the place of a line of the shop with these places in the configuration: nothing if it may come
 /// here for one of them; `ended`: the CL data is done.
 pub(super) fn place_of_line(places: &[OwnPlace], phase: &Phase, motions: u64, ended: bool) -> Option<String> {
     let wrong = |place: &OwnPlace| match place {

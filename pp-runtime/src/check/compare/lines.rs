@@ -4,7 +4,7 @@ use super::super::expect::{ExpectedAction, ExpectedItem};
 use super::super::policy::LinearMeaning;
 use super::super::read::{Action, Block, Effect, Length, OwnLine, OwnPlace, coolant, stated};
 use super::functions::place_of_line;
-use super::obligations::{Duty, Event, Place};
+use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::Phase;
 use super::{Comparison, Current, plane_guard};
 use crate::check::tolerances::SHORT_SPINDLE_DWELL;
@@ -36,7 +36,7 @@ impl Comparison<'_> {
             self.modes_before_task(phase, current);
         }
         if block.action.cuts() {
-            self.come_to_cut(Place::Feed, current);
+            self.come_to_cut(DutyPlace::Feed, current);
         }
     }
 
@@ -46,19 +46,19 @@ impl Comparison<'_> {
         let first = !std::mem::replace(&mut self.previous.spindle_stated, stated) && stated;
         let before = std::mem::replace(&mut self.previous.rotation, rotation);
         if stated {
-            self.duties.happens(Event::SpindleStated);
+            self.duties.happens(DutyEvent::SpindleStated);
         }
         if self.rules.facts().stops_spindle(&block.action) {
-            self.duties.happens(Event::CycleStopsSpindle);
+            self.duties.happens(DutyEvent::CycleStopsSpindle);
         }
         if rotation.is_none() {
-            self.duties.happens(Event::SpindleOff);
+            self.duties.happens(DutyEvent::SpindleOff);
         } else if first || rotation != before {
-            self.duties.happens(Event::SpindleStarts);
+            self.duties.happens(DutyEvent::SpindleStarts);
         }
         let dwell = self.rules.policy().links.spindle_dwell_s;
         if matches!(block.action, Action::Dwell(seconds) if seconds >= dwell - SHORT_SPINDLE_DWELL) {
-            self.duties.happens(Event::SpindleWaited);
+            self.duties.happens(DutyEvent::SpindleWaited);
         }
     }
 
@@ -67,7 +67,7 @@ impl Comparison<'_> {
     fn own_line(&mut self, own: &OwnLine, is_of_cl: bool, phase: &Phase, current: &Current<'_>) {
         self.functions.line(&own.places);
         if own.places.contains(&OwnPlace::TipControl { on: false }) {
-            self.duties.happens(Event::TipControlOff);
+            self.duties.happens(DutyEvent::TipControlOff);
         }
         let ended = self.progress.next().is_none();
         let misplaced = place_of_line(&own.places, phase, self.tally.motions(), ended);
@@ -78,7 +78,7 @@ impl Comparison<'_> {
         self.found_any(current, of_another);
         self.measures_at_tool_position(own, current);
         if needs_retract(own) {
-            self.duties.happens(Event::ShopLine);
+            self.duties.happens(DutyEvent::ShopLine);
         }
     }
 
@@ -111,7 +111,7 @@ impl Comparison<'_> {
             if phase.is_at_part() && self.rules.meaning() == LinearMeaning::TipCoordinates {
                 self.found(current, "the safety line comes before the machine has retracted");
             }
-            self.duties.happens(Event::CompleteState);
+            self.duties.happens(DutyEvent::CompleteState);
             self.functions.restart();
         }
         if let Some(guard) = block.guard {
@@ -131,7 +131,7 @@ impl Comparison<'_> {
         }
         if let Some(guard) = &block.plane_guard {
             if phase.is_retracted() {
-                self.duties.happens(Event::PlaneGuard);
+                self.duties.happens(DutyEvent::PlaneGuard);
             }
             let fault = plane_guard::fault(guard, phase, &self.rules, &self.previous);
             self.found_any(current, fault);
@@ -143,7 +143,7 @@ impl Comparison<'_> {
     fn modes_before_task(&mut self, phase: &Phase, current: &Current<'_>) {
         let block = current.block;
         if block.state.coolant.is_some_and(|on| on & THROUGH != 0) {
-            self.duties.happens(Event::ThroughCoolant);
+            self.duties.happens(DutyEvent::ThroughCoolant);
         }
         let length = std::mem::replace(&mut self.previous.length, block.state.length);
         let tilted = std::mem::replace(&mut self.previous.tilted, block.state.tilt.is_some());

@@ -7,7 +7,7 @@ use super::super::geometry::ToolPose;
 use super::super::policy::RetractRule;
 use super::super::read::{Action, Block, OwnPlace};
 use super::super::rules::ModalContext;
-use super::obligations::{Duty, Event, Place};
+use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::{Cutting, Phase, Retracted};
 use super::{Comparison, Current, machine_move, parking, retract};
 use crate::program::Clearance;
@@ -52,8 +52,8 @@ impl Comparison<'_> {
             let finished = rewind.and_then(|rewind| rewind.finished.as_ref()).map(|finished| &finished.required);
             let next = self.progress.next();
             let cut = next.map(|item| &item.required).or(finished);
-            let stands = retracted.parks || next.is_none() || self.is_station_due(current.block);
-            let spindle = cut.filter(|_| !stands).and_then(|required| self.rules.spindle_in_cut(required));
+            let stopped = retracted.parks || next.is_none() || self.is_station_due(current.block);
+            let spindle = cut.filter(|_| !stopped).and_then(|required| self.rules.spindle_in_cut(required));
             // As in an approach, the coolant may be on where a cut goes on after a rewind.
             let dry = retracted.rewind.is_none();
             self.state_at_machine_position(spindle, dry, current);
@@ -147,7 +147,7 @@ impl Comparison<'_> {
             self.missing_dwells(current, false);
         }
         if !self.duties.owes(Duty::CompleteState) {
-            self.come_to(Place::RetractOfStart, Some(phase), current);
+            self.come_to(DutyPlace::RetractOfStart, Some(phase), current);
         }
         let mut retracted = self.retracted(phase, current);
         let rewinds = retracted.rewind.is_some();
@@ -166,21 +166,21 @@ impl Comparison<'_> {
         let tilts = phase.is_at_part() || (phase.is_unknown() && (probed || !links.retracts_for_stop));
         let context = ModalContext {
             dry,
-            no_plane: phase.is_unknown() || phase.is_stopped(),
+            no_plane: phase.is_unknown() || phase.is_stopped() || self.previous.tool.is_none(),
             arc_plane: self.previous.arc_plane.filter(|_| matches!(phase, Phase::Cutting(_) | Phase::Unknown { .. })),
             ..ModalContext::default()
         };
         let spindle = self.spindle_may_be(current.block, retracted.stopped);
         let fault = self.rules.fault_at_retract(block, tilts, spindle, context);
         self.found_state(current, fault);
-        self.duties.happens(Event::Retract);
+        self.duties.happens(DutyEvent::Retract);
         self.at_station = Default::default();
         let is_home =
             |item: &ExpectedItem| matches!(item.action, ExpectedAction::Home) && self.is_with_tool(item, block);
         if self.progress.next().is_some_and(is_home) {
             self.progress.take();
             retracted.parks = true;
-            self.duties.happens(Event::Home);
+            self.duties.happens(DutyEvent::Home);
             self.parked = 0;
         }
         Ok(Phase::Retracted(Box::new(retracted)))

@@ -50,7 +50,7 @@ use crate::shortcut::Shortcut;
 use clear::KeepOut;
 use cutting::MOST_NEEDLESS;
 use functions::FunctionState;
-use obligations::{Duties, Event};
+use obligations::{Duties, DutyEvent};
 use phase::{Phase, Task};
 use progress::ClProgress;
 use shop_lines::ShopLines;
@@ -656,7 +656,7 @@ impl Comparison<'_> {
 
     /// The phase where the position of the machine is unknown.
     fn forget(&mut self, phase: &Phase) -> Phase {
-        self.duties.happens(Event::PositionLost);
+        self.duties.happens(DutyEvent::PositionLost);
         self.progress.forget_position();
         Phase::Unknown { stopped: phase.is_stopped() }
     }

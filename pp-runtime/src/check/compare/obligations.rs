@@ -14,7 +14,7 @@ use super::super::rules::fault_at_end;
 use super::phase::Phase;
 use super::station::Station;
 use super::{Comparison, Current, plane_guard};
-pub(super) use rows::{Duty, Event, Place};
+pub(super) use rows::{Duty, DutyEvent, DutyPlace};
 use rows::{NEEDED, OWED, Owed};
 
 /// What is owed.
@@ -33,7 +33,7 @@ impl Duty {
 }
 
 /// What is owed after each event, and what is done by it: bits.
-const BY_EVENT: [[u32; 2]; Event::Cycle as usize + 1] = {
+const BY_EVENT: [[u32; 2]; DutyEvent::Cycle as usize + 1] = {
     let (mut bits, mut index) = ([[0; 2]; _], 0);
     while index < OWED.len() {
         let Owed { what, after, done, .. } = &OWED[index];
@@ -52,7 +52,7 @@ const BY_EVENT: [[u32; 2]; Event::Cycle as usize + 1] = {
 };
 
 /// What may be owed at each place: bits.
-const AT_PLACE: [u32; Place::End as usize + 1] = {
+const AT_PLACE: [u32; DutyPlace::End as usize + 1] = {
     let (mut bits, mut row) = ([0; _], 0);
     while row < NEEDED.len() {
         bits[NEEDED[row].at as usize] |= NEEDED[row].what.bit();
@@ -65,13 +65,13 @@ impl Duties {
     pub(super) fn new(policy: &CheckPolicy) -> Self {
         let asked = OWED.iter().filter(|row| (row.asked)(policy)).fold(0, |bits, row| bits | row.what.bit());
         let mut duties = Self { owed: 0, asked };
-        duties.happens(Event::Begin);
+        duties.happens(DutyEvent::Begin);
         duties
     }
 
     /// An event: what it settles is no longer owed, and what comes after it is.
     #[inline]
-    pub(super) fn happens(&mut self, event: Event) {
+    pub(super) fn happens(&mut self, event: DutyEvent) {
         let [after, done] = BY_EVENT[event as usize];
         self.owed = self.owed & !done | after & self.asked;
     }
@@ -91,7 +91,7 @@ impl Duties {
 impl Comparison<'_> {
     /// The program comes to a place: reports what is missing there. `phase`: before the block; `None` at the end of an approach
     /// and in a cut.
-    pub(super) fn come_to(&mut self, place: Place, phase: Option<&Phase>, current: &Current<'_>) {
+    pub(super) fn come_to(&mut self, place: DutyPlace, phase: Option<&Phase>, current: &Current<'_>) {
         for row in NEEDED.iter().filter(|row| row.at == place) {
             if (row.needed)(&self.rules) && self.is_missing(row.what, phase, current) {
                 self.found(current, row.text);
@@ -101,7 +101,7 @@ impl Comparison<'_> {
 
     /// The same at a cut, where nothing is owed as a rule.
     #[inline]
-    pub(super) fn come_to_cut(&mut self, place: Place, current: &Current<'_>) {
+    pub(super) fn come_to_cut(&mut self, place: DutyPlace, current: &Current<'_>) {
         if self.duties.owed & AT_PLACE[place as usize] != 0 {
             self.come_to(place, None, current);
         }
@@ -177,28 +177,28 @@ impl Comparison<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Duty, Event, NEEDED, OWED, Place};
-    use crate::motion::obligations::{Need, Place as Written, ROWS};
+    use super::{Duty, DutyEvent, DutyPlace, NEEDED, OWED};
+    use crate::motion::obligations::{ROWS, SequencePlace, SequenceStep};
 
     /// Places of the check, and the rows of the writer that lead there.
-    const PLACES: [(Place, &[Written]); 5] = [
-        (Place::ToolChange, &[Written::CompleteState, Written::ToolChange]),
-        (Place::Stop, &[Written::Stop]),
-        (Place::BlockSkip, &[Written::BlockSkip]),
-        (Place::Standstill, &[Written::Standstill]),
-        (Place::End, &[Written::End]),
+    const PLACES: [(DutyPlace, &[SequencePlace]); 5] = [
+        (DutyPlace::ToolChange, &[SequencePlace::CompleteState, SequencePlace::ToolChange]),
+        (DutyPlace::Stop, &[SequencePlace::Stop]),
+        (DutyPlace::BlockSkip, &[SequencePlace::BlockSkip]),
+        (DutyPlace::Standstill, &[SequencePlace::Standstill]),
+        (DutyPlace::End, &[SequencePlace::End]),
     ];
 
     /// Steps that a duty asks for; none where the writer does it elsewhere, or its path is compared.
-    fn steps_for(what: Duty) -> &'static [Need] {
+    fn steps_for(what: Duty) -> &'static [SequenceStep] {
         match what {
-            Duty::Retract | Duty::RetractAfterShopLine | Duty::Retracted | Duty::Away => &[Need::Retract],
-            Duty::SpindleOff => &[Need::SpindleOffForChange],
-            Duty::SpindleStopped => &[Need::SpindleOff],
-            Duty::StateAtEnd | Duty::SpindleAndCoolantOff => &[Need::CoolantOff, Need::SpindleOff],
-            Duty::DrainDwell => &[Need::DrainDwell],
-            Duty::AtChangePosition => &[Need::ChangePosition],
-            Duty::ToolEnded | Duty::ProgramEnded => &[Need::ToolEnd],
+            Duty::Retract | Duty::RetractAfterShopLine | Duty::Retracted | Duty::Away => &[SequenceStep::Retract],
+            Duty::SpindleOff => &[SequenceStep::SpindleOffForChange],
+            Duty::SpindleStopped => &[SequenceStep::SpindleOff],
+            Duty::StateAtEnd | Duty::SpindleAndCoolantOff => &[SequenceStep::CoolantOff, SequenceStep::SpindleOff],
+            Duty::DrainDwell => &[SequenceStep::DrainDwell],
+            Duty::AtChangePosition => &[SequenceStep::ChangePosition],
+            Duty::ToolEnded | Duty::ProgramEnded => &[SequenceStep::ToolEnd],
             // At a record the writer ends the operation before it takes it.
             Duty::OperationEnded => &[],
             Duty::CompleteState
@@ -223,17 +223,17 @@ mod tests {
 
     /// Steps that no duty asks for by themselves: the path of the first is compared, the others are in the state of each block or
     /// come before their place.
-    const OF_OTHERS: [Need; 6] = [
-        Need::LeadOut,
-        Need::LeadOutIfTilted,
-        Need::InverseTimeOff,
-        Need::CoolantOff,
-        Need::OperationEnd,
-        Need::BlockSkipEnd,
+    const OF_OTHERS: [SequenceStep; 6] = [
+        SequenceStep::LeadOut,
+        SequenceStep::LeadOutIfTilted,
+        SequenceStep::InverseTimeOff,
+        SequenceStep::CoolantOff,
+        SequenceStep::OperationEnd,
+        SequenceStep::BlockSkipEnd,
     ];
 
-    fn written(places: &[Written]) -> Vec<Need> {
-        let row = |place: &Written| ROWS.iter().find(|row| row.at == *place).expect("a place has its row");
+    fn written(places: &[SequencePlace]) -> Vec<SequenceStep> {
+        let row = |place: &SequencePlace| ROWS.iter().find(|row| row.at == *place).expect("a place has its row");
         places.iter().flat_map(|place| row(place).needs).copied().collect()
     }
 
@@ -241,7 +241,7 @@ mod tests {
     fn the_writer_does_at_each_place_what_the_check_needs_there_and_nothing_else() {
         for (place, rows) in PLACES {
             let written = written(rows);
-            let asked: Vec<Need> =
+            let asked: Vec<SequenceStep> =
                 NEEDED.iter().filter(|row| row.at == place).flat_map(|row| steps_for(row.what)).copied().collect();
             assert!(!asked.is_empty(), "{place:?}");
             for need in &asked {
@@ -256,12 +256,12 @@ mod tests {
     #[test]
     fn the_machine_retracts_before_the_spindle_stops_and_after_the_coolant_is_off() {
         for row in &ROWS {
-            let at = |need: Need| row.needs.iter().rposition(|one| *one == need);
+            let at = |need: SequenceStep| row.needs.iter().rposition(|one| *one == need);
             let in_order = |first: Option<usize>, then: Option<usize>| first.zip(then).is_none_or(|(a, b)| a < b);
-            assert!(in_order(at(Need::LeadOut), at(Need::Retract)), "{:?}", row.at);
-            assert!(in_order(at(Need::CoolantOff), at(Need::Retract)), "{:?}", row.at);
-            assert!(in_order(at(Need::Retract), at(Need::SpindleOff)), "{:?}", row.at);
-            assert!(in_order(at(Need::Retract), at(Need::Parking)), "{:?}", row.at);
+            assert!(in_order(at(SequenceStep::LeadOut), at(SequenceStep::Retract)), "{:?}", row.at);
+            assert!(in_order(at(SequenceStep::CoolantOff), at(SequenceStep::Retract)), "{:?}", row.at);
+            assert!(in_order(at(SequenceStep::Retract), at(SequenceStep::SpindleOff)), "{:?}", row.at);
+            assert!(in_order(at(SequenceStep::Retract), at(SequenceStep::Parking)), "{:?}", row.at);
         }
     }
 
@@ -276,7 +276,7 @@ mod tests {
             assert_eq!(OWED.iter().filter(|other| other.what == row.what).count(), 1, "{:?}", row.what);
         }
         let retract = OWED.iter().find(|row| row.what == Duty::Retract).expect("the retract is owed");
-        assert!(retract.after.contains(&Event::CompleteState), "the writer retracts after each complete state");
-        assert_eq!(written(&[Written::CompleteState]), [Need::CoolantOff, Need::Retract]);
+        assert!(retract.after.contains(&DutyEvent::CompleteState), "the writer retracts after each complete state");
+        assert_eq!(written(&[SequencePlace::CompleteState]), [SequenceStep::CoolantOff, SequenceStep::Retract]);
     }
 }

@@ -7,7 +7,7 @@ use super::super::expect::{ExpectedAction, ExpectedItem};
 use super::super::read::{Action, Block, OwnPlace};
 use super::super::rules::tool_name;
 use super::approach::FOR_APPROACH;
-use super::obligations::{Duty, Event, Place};
+use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::{Phase, Retracted};
 use super::{Comparison, Current};
 use crate::check::tolerances::ROUNDED_DWELL;
@@ -49,7 +49,7 @@ impl Comparison<'_> {
         self.compare_tool(current);
         self.progress.pass();
         if current.block.own.as_ref().is_some_and(|own| own.needs_standstill) {
-            self.come_to(Place::Standstill, Some(phase), current);
+            self.come_to(DutyPlace::Standstill, Some(phase), current);
         }
         let is_first = self.previous.tool.is_none() && self.progress.last().is_none();
         if is_first && self.duties.owes(Duty::CompleteState) && !self.rules.policy().shop.own_safety {
@@ -103,7 +103,7 @@ impl Comparison<'_> {
             }
             _ => {}
         }
-        self.come_to(Place::ToolChange, Some(phase), current);
+        self.come_to(DutyPlace::ToolChange, Some(phase), current);
         Ok(self.forget(phase))
     }
 
@@ -202,7 +202,7 @@ impl Comparison<'_> {
         }
         let drains = self.rules.policy().links.through_dwell_s;
         if phase.is_retracted() && self.duties.owes(Duty::DrainDwell) && (drains - seconds).abs() <= ROUNDED_DWELL {
-            self.duties.happens(Event::Drained);
+            self.duties.happens(DutyEvent::Drained);
             return Ok(());
         }
         let spindle = self.rules.policy().links.spindle_dwell_s;
@@ -246,7 +246,7 @@ impl Comparison<'_> {
             _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
         }
         self.functions.wait_with(None);
-        self.come_to(Place::Stop, Some(phase), current);
+        self.come_to(DutyPlace::Stop, Some(phase), current);
         let retracts = self.rules.policy().links.retracts_for_stop;
         // After the stop the retract axis moves from the position of the tool.
         if let Phase::Cutting(cutting) = &*phase
@@ -295,12 +295,12 @@ impl Comparison<'_> {
             }
             _ => self.found(current, "this block is always executed (no `/`), without OPSKIP/OFF in the CL data here"),
         }
-        self.come_to(Place::BlockSkip, Some(phase), current);
+        self.come_to(DutyPlace::BlockSkip, Some(phase), current);
         self.previous.known &= current.block.known_before;
         // A complete state that may be skipped, or that came before, is none for what comes after.
         self.functions.restart();
         self.forget(phase);
-        self.duties.happens(Event::BlockSkip);
+        self.duties.happens(DutyEvent::BlockSkip);
         *phase = match phase.is_retracted() {
             true => Phase::Retracted(Box::new(Retracted { stopped: true, ..Retracted::default() })),
             false => Phase::Unknown { stopped: true },
@@ -321,7 +321,7 @@ impl Comparison<'_> {
         if self.previous.skippable {
             self.found(current, "the operator may skip the end code (`/`)");
         }
-        self.come_to(Place::End, Some(phase), current);
+        self.come_to(DutyPlace::End, Some(phase), current);
         Ok(Phase::Ended)
     }
 

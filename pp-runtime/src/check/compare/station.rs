@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::super::policy::LinkPolicy;
 use super::super::read::{Action, Block, OwnLine, OwnPlace};
 use super::super::rules::ModalContext;
-use super::obligations::{Duty, Place};
+use super::obligations::{Duty, DutyPlace};
 use super::phase::{Phase, Retracted};
 use super::{Comparison, Current, Previous, parking};
 
@@ -126,7 +126,7 @@ impl Comparison<'_> {
     pub(super) fn measures_at_tool_position(&mut self, own: &OwnLine, current: &Current<'_>) {
         let measures = |place: &OwnPlace| matches!(place, OwnPlace::MeasureTool | OwnPlace::CheckTool);
         if own.places.iter().all(measures) && !self.duties.owes(Duty::RetractAfterShopLine) {
-            self.come_to(Place::Measuring, None, current);
+            self.come_to(DutyPlace::Measuring, None, current);
             self.is_at_station(Station::Measuring, current);
             let before = &self.setters.at_block;
             let runs = before.spindle.flatten().is_some();

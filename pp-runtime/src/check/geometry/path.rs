@@ -207,7 +207,7 @@ impl ArcPath {
         self.foot(point, (angle + turns * TAU) / self.angle)
     }
 
-    /// Where a point stands about the normal, from the start.
+    /// Angle of a point about the normal, from the start.
     fn angle_of(&self, point: &Vector3<f64>) -> f64 {
         let from = point - self.centre;
         from.dot(&self.v).atan2(from.dot(&self.u))

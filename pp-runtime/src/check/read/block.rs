@@ -329,7 +329,7 @@ pub struct CycleMove {
     pub reference: f64,
     /// Bottom.
     pub bottom: f64,
-    /// Where it stands afterwards.
+    /// Its position afterwards.
     pub back_to: f64,
     /// Wait at the bottom, seconds.
     pub dwell: f64,
@@ -476,7 +476,7 @@ pub struct Block {
     /// Its words are those of axes, of the centre of an arc, F and N alone, without a declared effect. All modes are those of the
     /// block before, unless blocks that may be skipped end here.
     pub only_moves: bool,
-    /// A complete state begins here: the block names the unit, or what stands for it.
+    /// A complete state begins here: the block names the unit, or a line of the shop takes its place.
     pub restart: bool,
     /// Bits of [`stated`].
     pub stated: u8,

@@ -6,7 +6,7 @@ use crate::check::tolerances::{CODE_IN_TENTHS, SAME_NUMBER};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Number {
     pub(crate) value: f64,
-    /// A decimal point stands in it.
+    /// It has a decimal point.
     pub(crate) point: bool,
     /// It begins with `-`.
     pub(crate) negative: bool,

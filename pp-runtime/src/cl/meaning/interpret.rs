@@ -75,20 +75,14 @@ pub(crate) struct RecordInterpreter {
     /// Place of the record that has left the spindle empty.
     unloaded: Option<Location>,
     /// STOP, which waits for a change of set-up: both are one stop.
-    waiting_stop: Option<WaitingStop>,
-    /// Name of the operation after it.
-    waiting_name: Vec<u8>,
+    waiting_stop: Option<Location>,
+    /// Name of an operation, which comes after a change of set-up.
+    waiting_name: Option<Location>,
+    /// The last name that has waited.
+    name: Vec<u8>,
     /// The next GOTO is a straight motion only: see [`update_plain_goto`](Self::update_plain_goto).
     plain_goto: bool,
     events: EventQueue,
-}
-
-/// A STOP that waits.
-#[derive(Debug, Clone, Copy)]
-struct WaitingStop {
-    at: Location,
-    /// Place of the name of the operation after it.
-    name: Option<Location>,
 }
 
 impl RecordInterpreter {
@@ -137,7 +131,7 @@ impl RecordInterpreter {
 
     /// What belongs to the event that was returned last.
     pub(crate) fn kept_for_events(&self) -> KeptForEvents<'_> {
-        KeptForEvents { curve: self.curve.completed(), name: &self.waiting_name }
+        KeptForEvents { curve: self.curve.completed(), name: &self.name }
     }
 
     /// CAM system, as given in the options, else as identified in the file.
@@ -341,45 +335,34 @@ impl RecordInterpreter {
         }
     }
 
-    /// Whether a tool call or a stop waits for the records after it.
+    /// Whether a stop, a name or a tool call waits for the records after it.
     #[inline]
     fn is_any_waiting(&self) -> bool {
-        self.tool.is_held() || self.waiting_stop.is_some()
+        self.tool.is_held() || self.waiting_stop.is_some() || self.waiting_name.is_some()
     }
 
-    /// Queues a stop that waits, and the name after it.
-    #[inline]
-    fn emit_waiting_stop(&mut self) {
-        if let Some(WaitingStop { at, name }) = self.waiting_stop.take() {
-            self.events.push(at, QueuedEvent::Plain(Event::Interruption(Interruption::Stop)));
-            self.emit_waiting_name(name);
-        }
-    }
-
-    fn emit_waiting_name(&mut self, name: Option<Location>) {
-        if let Some(here) = name {
-            self.events.push(here, QueuedEvent::WaitingName);
-        }
-    }
-
-    /// Queues the name of an operation; after a stop that waits, it waits, too.
-    fn emit_name(&mut self, here: Location, name: &Text<'_>) {
-        if self.tool.is_held() {
+    /// Takes the name of an operation, which waits for the next event.
+    fn take_operation_name(&mut self, here: Location, name: &Text<'_>) {
+        if self.tool.is_held() || self.waiting_name.is_some() {
             self.emit_waiting();
         }
-        match &mut self.waiting_stop {
-            Some(WaitingStop { name: waiting @ None, .. }) => {
-                *waiting = Some(here);
-                self.waiting_name = decoded(name.bytes).as_bytes().to_vec();
-            }
-            _ => self.emit_text(here, TextUse::Operation, name),
+        if self.has_events() {
+            // The name before, or blocks of another set-up.
+            return self.emit_text(here, TextUse::Operation, name);
         }
+        self.waiting_name = Some(here);
+        self.name = decoded(name.bytes).as_bytes().to_vec();
     }
 
     /// Queues what waits.
     #[inline]
     fn emit_waiting(&mut self) {
-        self.emit_waiting_stop();
+        if let Some(at) = self.waiting_stop.take() {
+            self.events.push(at, QueuedEvent::Plain(Event::Interruption(Interruption::Stop)));
+        }
+        if let Some(at) = self.waiting_name.take() {
+            self.events.push(at, QueuedEvent::WaitingName);
+        }
         if let Some(((here, tool), taken)) = self.tool.take_held(&self.options) {
             self.refuse(taken.err());
             let renamed = self.tool.take_name();
@@ -448,7 +431,7 @@ impl RecordInterpreter {
                 {
                     self.change_set_up(number, here);
                 }
-                self.emit_name(here, name);
+                self.take_operation_name(here, name);
             }
             ProgramRecord::Message(text) => self.emit_text(here, TextUse::Text(TextKind::Message), text),
             ProgramRecord::Insert(text) => return self.insert(text, here),
@@ -460,7 +443,7 @@ impl RecordInterpreter {
             ProgramRecord::Stop => {
                 self.emit_waiting();
                 self.remark_on_spindle("STOP");
-                self.waiting_stop = Some(WaitingStop { at: here, name: None });
+                self.waiting_stop = Some(here);
             }
             ProgramRecord::BlockSkip { on } => {
                 self.emit(here, Event::Interruption(Interruption::BlockSkip { on: *on }))

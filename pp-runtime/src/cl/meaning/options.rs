@@ -108,8 +108,8 @@ options! {
         /// Words of CL data that are passed over, because they move no axis and change no state.
         inert: Vec<String> = Vec::new(), key("cl.inert", ListOf(InertWord));
         /// Statements of the shop, and the block that is written for each. Its effect on the machine is that of its codes; that of
-        /// a code which the control does not have itself is declared in `[control] effects`. `at` says where a block comes that
-        /// stands after the call of a tool: "before_change", "after_change" or "at_approach"; AUXFUN and PREFUN can have it, too:
+        /// a code which the control does not have itself is declared in `[control] effects`. `at` states the place of a block
+        /// after the call of a tool: "before_change", "after_change" or "at_approach"; AUXFUN and PREFUN can have it, too:
         /// `"AUXFUN/10" = { at = "after_change" }`. A block whose codes are declared "none" comes at the machine retract with the
         /// spindle off, unless `harmless = true` confirms that they move nothing.
         own_statements: Vec<OwnStatement> = Vec::new(), key("cl.words", OwnStatements);

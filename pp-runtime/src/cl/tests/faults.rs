@@ -355,7 +355,7 @@ fn tool_0_leaves_the_spindle_empty() {
             assert!(events(&format!("LOADTL/1\nGOTO/0,0,9\n{record}\n{after}")).len() > 2, "{record} {after}");
         }
     }
-    refused("UNLOAD/PALLET\n", "1:8+6");
+    refused("UNLOAD/PALLET\n", "1:8+6 UNLOAD with `PALLET` is not supported");
 }
 
 #[test]

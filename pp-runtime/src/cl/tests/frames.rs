@@ -59,7 +59,7 @@ fn a_stop_before_another_set_up_is_the_stop_between_them() {
     let (change, then) = (["Home", CLAMPED, "Stop", "SetUp(2)"], "feed 1 2 3 axis 0.6 0 0.8 None");
     assert_eq!(found("STOP\n")[..4], change);
     let named = found("STOP\nEND-OF-PATH\nTOOL PATH/OP20,TOOL,A\n");
-    assert!(named[0].starts_with("operation") && named[1..5] == change && named[5] == then, "{named:?}");
+    assert!(named[..4] == change && named[4].starts_with("operation") && named[5] == then, "{named:?}");
     // What acts or is displayed between them separates them.
     let message = found("STOP\nPPRINT/MEASURE\n");
     assert_eq!(message[..2], ["Stop", "message MEASURE"]);

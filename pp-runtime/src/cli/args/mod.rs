@@ -294,7 +294,7 @@ pub(crate) struct CheckArgs {
     /// NC program to check; `-` is standard input
     #[arg(value_name = "OUT.nc")]
     pub(crate) program: PathBuf,
-    /// Edits of the program that are meant: a file with `[[check.edits]]`, beside those of the configuration
+    /// Permitted edits of the program: a file with `[[check.edits]]`, in addition to those of the configuration
     #[arg(long, value_name = "FILE.toml", value_parser = file_name)]
     pub(crate) edits: Option<PathBuf>,
     /// Write messages as JSON, and the figures of the check as a JSON object to standard output

@@ -145,13 +145,22 @@ struct CuttingPath {
     segment: PathSegment,
     /// The branch of both ends; `None` if they are on different branches.
     branch: Option<Branch>,
-    /// The rotary axes go evenly; bound of the whole motion, whose tool axis the points in between follow.
-    even: Option<MotionBound>,
+    /// The rotary axes go evenly.
+    even: Option<EvenRotation>,
     /// Smallest step of the parameter: half a unit of the words.
     resolution: f64,
     /// Parameter at the end of the last piece.
     at: f64,
     pieces: Pieces,
+}
+
+/// A motion in which the rotary axes go evenly from its start to its end.
+#[derive(Debug, Clone, Copy)]
+struct EvenRotation {
+    /// Words of the start. The rounding of a point in between is not that of the points before it.
+    start: [i64; MAX_AXES],
+    /// Bound of the whole motion, whose tool axis the points in between follow.
+    bound: MotionBound,
 }
 
 /// Lengths of the pieces of a path.
@@ -274,7 +283,7 @@ impl Linearised {
                 piece
             }
         };
-        if let Some(MotionBound { axis, axis_step, .. }) = path.even {
+        if let Some(EvenRotation { bound: MotionBound { axis, axis_step, .. }, .. }) = path.even {
             (piece.bound.axis, piece.bound.axis_step) = (axis, axis_step);
         }
         self.rest = if path.at < 1.0 { Remaining::Path(path) } else { Remaining::Nothing };
@@ -495,7 +504,8 @@ impl Certifier<'_> {
         let even = law == RotationLaw::Even
             && branch.is_some()
             && self.placer.may_go_evenly((&from.pose, &from.words), (&to.pose, &to.words));
-        let even = Some(whole.bound).filter(|bound| even && bound.axis <= self.allowed.axis_rad);
+        let even = (even && whole.bound.axis <= self.allowed.axis_rad)
+            .then_some(EvenRotation { start: from.words, bound: whole.bound });
         let path = CuttingPath { segment, branch, even, resolution, at: 0.0, pieces: Pieces::Graded { last: 1.0 } };
         Ok(CuttingPath { pieces: self.pieces(&path, (from, to), whole.share)?, ..path })
     }
@@ -651,10 +661,10 @@ impl Certifier<'_> {
         parameter: f64,
     ) -> Result<AxisPosition, Fault> {
         let pose = path.segment.at(parameter);
-        let share = (parameter - path.at) / (1.0 - path.at);
-        if path.even.is_some() {
-            return self.evenly(from, to, share, &pose);
+        if let Some(EvenRotation { start, .. }) = &path.even {
+            return self.evenly(from, &self.words_between(start, &to.words, parameter), &pose);
         }
+        let share = (parameter - path.at) / (1.0 - path.at);
         let mut guess = from.axes;
         for (value, end) in guess.as_mut().iter_mut().zip(to.axes) {
             *value += (end - *value) * share;
@@ -680,19 +690,19 @@ impl Certifier<'_> {
         self.nearest_turn(&pose, from, solution, &middle).map_err(in_between)
     }
 
-    /// Words whose rotary ones are at a share of the way from one position to another.
-    fn words_between(&self, from: &AxisPosition, to: &AxisPosition, share: f64) -> [i64; MAX_AXES] {
-        let mut words = from.words;
+    /// Words whose rotary ones are at a share of the rotation from some words to others.
+    fn words_between(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], share: f64) -> [i64; MAX_AXES] {
+        let mut words = *from;
         for rotary in &self.placer.rotary.axes {
-            let change = (to.words[rotary.index] - words[rotary.index]) as f64;
+            let change = (to[rotary.index] - words[rotary.index]) as f64;
             words[rotary.index] += rounded(change * share);
         }
         words
     }
 
-    /// Position at a share of the even rotation of the rotary axes from one position to another, with the tip of a pose.
-    fn evenly(&self, from: &AxisPosition, to: &AxisPosition, share: f64, pose: &Pose) -> Result<AxisPosition, Fault> {
-        let mut place = self.placer.position_at(pose, from, &self.words_between(from, to, share));
+    /// Position with these rotary words, of an even rotation, and with the tip of a pose.
+    fn evenly(&self, from: &AxisPosition, words: &[i64; MAX_AXES], pose: &Pose) -> Result<AxisPosition, Fault> {
+        let mut place = self.placer.position_at(pose, from, words);
         place.pose.axis = self.placer.machine.forward_kinematics(&place.axes).axis;
         place.deviation_rad = 0.0;
         self.placer.solved(place)
@@ -729,7 +739,7 @@ impl Certifier<'_> {
 
     /// Position at a parameter of a rotation on the spot.
     fn rotated(&self, spot: &SpotRotation, parameter: f64) -> Result<AxisPosition, Fault> {
-        let words = self.words_between(&spot.start, &spot.target, parameter);
+        let words = self.words_between(&spot.start.words, &spot.target.words, parameter);
         let tip = spot.start.pose.tip + (spot.target.pose.tip - spot.start.pose.tip) * parameter;
         let pose = Pose { tip, axis: spot.target.pose.axis };
         let mut place = self.placer.position_at(&pose, &spot.start, &words);

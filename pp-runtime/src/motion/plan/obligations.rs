@@ -8,7 +8,7 @@ use crate::motion::step::{BlockReason, Sink};
 
 /// A place between two cuts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum SequencePlace {
     /// The table or the head rotates, by the safe sequence.
     Index,
     /// After a safety line: the program can be entered there.
@@ -34,7 +34,7 @@ pub(crate) enum Place {
 
 /// A step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Need {
+pub(crate) enum SequenceStep {
     /// Out along the tool axis, if the tool is at the part.
     LeadOut,
     /// The same where the retract axis would not lead out along the tool axis.
@@ -57,44 +57,44 @@ pub(crate) enum Need {
 }
 
 /// A row.
-pub(crate) struct Row {
-    pub(crate) at: Place,
+pub(crate) struct SequenceRow {
+    pub(crate) at: SequencePlace,
     /// Reason of its blocks but for the lead-out.
     reason: Option<BlockReason>,
-    pub(crate) needs: &'static [Need],
+    pub(crate) needs: &'static [SequenceStep],
 }
 
-const fn row(at: Place, reason: Option<BlockReason>, needs: &'static [Need]) -> Row {
-    Row { at, reason, needs }
+const fn row(at: SequencePlace, reason: Option<BlockReason>, needs: &'static [SequenceStep]) -> SequenceRow {
+    SequenceRow { at, reason, needs }
 }
 
 #[rustfmt::skip]
-pub(crate) const ROWS: [Row; 12] = {
-    use Need::{
+pub(crate) const ROWS: [SequenceRow; 12] = {
+    use SequenceStep::{
         BlockSkipEnd, ChangePosition, CoolantOff, DrainDwell, InverseTimeOff, LeadOut, LeadOutIfTilted, OperationEnd, Parking, Retract,
         SpindleAsAsked, SpindleOff, SpindleOffForChange, ToolEnd,
     };
     [
-        row(Place::Index,         Some(BlockReason::Approach), &[LeadOut, Retract]),
-        row(Place::CompleteState, None,                        &[CoolantOff, Retract]),
-        row(Place::ToolChange,    None,                        &[SpindleOffForChange, DrainDwell, ChangePosition]),
-        row(Place::OperationEnd,  Some(BlockReason::End),      &[LeadOut, CoolantOff, SpindleAsAsked, InverseTimeOff, Retract]),
-        row(Place::ToolEnd,       Some(BlockReason::End),      &[CoolantOff, InverseTimeOff, Retract, SpindleOff]),
-        row(Place::BlockSkip,     Some(BlockReason::Record),   &[LeadOut, CoolantOff, InverseTimeOff, Retract, SpindleOff, ToolEnd]),
-        row(Place::Stop,          Some(BlockReason::Record),   &[LeadOut, CoolantOff, Retract, SpindleOff]),
-        row(Place::StopInPlace,   Some(BlockReason::Record),   &[LeadOutIfTilted, SpindleAsAsked]),
-        row(Place::Home,          Some(BlockReason::Record),   &[LeadOut, CoolantOff, Retract, Parking]),
-        row(Place::Standstill,    None,                        &[CoolantOff, Retract, SpindleOff]),
-        row(Place::SelectionEnd,  Some(BlockReason::End),      &[BlockSkipEnd, LeadOut, CoolantOff, InverseTimeOff, ToolEnd, CoolantOff, Retract, SpindleOff]),
-        row(Place::End,           Some(BlockReason::End),      &[OperationEnd, LeadOut, ToolEnd, CoolantOff, InverseTimeOff, Retract, SpindleOff]),
+        row(SequencePlace::Index,         Some(BlockReason::Approach), &[LeadOut, Retract]),
+        row(SequencePlace::CompleteState, None,                        &[CoolantOff, Retract]),
+        row(SequencePlace::ToolChange,    None,                        &[SpindleOffForChange, DrainDwell, ChangePosition]),
+        row(SequencePlace::OperationEnd,  Some(BlockReason::End),      &[LeadOut, CoolantOff, SpindleAsAsked, InverseTimeOff, Retract]),
+        row(SequencePlace::ToolEnd,       Some(BlockReason::End),      &[CoolantOff, InverseTimeOff, Retract, SpindleOff]),
+        row(SequencePlace::BlockSkip,     Some(BlockReason::Record),   &[LeadOut, CoolantOff, InverseTimeOff, Retract, SpindleOff, ToolEnd]),
+        row(SequencePlace::Stop,          Some(BlockReason::Record),   &[LeadOut, CoolantOff, Retract, SpindleOff]),
+        row(SequencePlace::StopInPlace,   Some(BlockReason::Record),   &[LeadOutIfTilted, SpindleAsAsked]),
+        row(SequencePlace::Home,          Some(BlockReason::Record),   &[LeadOut, CoolantOff, Retract, Parking]),
+        row(SequencePlace::Standstill,    None,                        &[CoolantOff, Retract, SpindleOff]),
+        row(SequencePlace::SelectionEnd,  Some(BlockReason::End),      &[BlockSkipEnd, LeadOut, CoolantOff, InverseTimeOff, ToolEnd, CoolantOff, Retract, SpindleOff]),
+        row(SequencePlace::End,           Some(BlockReason::End),      &[OperationEnd, LeadOut, ToolEnd, CoolantOff, InverseTimeOff, Retract, SpindleOff]),
     ]
 };
 
 impl<S: Sink> Planner<'_, S> {
     /// Writes the steps of a place.
-    pub(crate) fn come_to(&mut self, place: Place) -> Planned {
-        let Some(Row { reason, needs, .. }) = ROWS.iter().find(|row| row.at == place) else { return Ok(()) };
-        let leads_out = |need: &Need| matches!(need, Need::LeadOut | Need::LeadOutIfTilted);
+    pub(crate) fn come_to(&mut self, place: SequencePlace) -> Planned {
+        let Some(SequenceRow { reason, needs, .. }) = ROWS.iter().find(|row| row.at == place) else { return Ok(()) };
+        let leads_out = |need: &SequenceStep| matches!(need, SequenceStep::LeadOut | SequenceStep::LeadOutIfTilted);
         let of_reason = needs.iter().position(leads_out).map_or(0, |lead_out| lead_out + 1);
         for (index, need) in needs.iter().enumerate() {
             if let Some(reason) = reason.filter(|_| index == of_reason) {
@@ -105,28 +105,28 @@ impl<S: Sink> Planner<'_, S> {
         Ok(())
     }
 
-    fn carry_out(&mut self, need: Need) -> Planned {
+    fn carry_out(&mut self, need: SequenceStep) -> Planned {
         match need {
-            Need::LeadOut => self.leave()?,
-            Need::LeadOutIfTilted if self.mover.retracts_along_tool() => {}
-            Need::LeadOutIfTilted => self.leave()?,
-            Need::CoolantOff => self.stop_coolant()?,
-            Need::InverseTimeOff => self.mover.output_mut().cancel_inverse_time()?,
-            Need::Retract => self.mover.machine_retract()?,
-            Need::SpindleOff => self.spindle.stop(self.mover.output_mut())?,
-            Need::SpindleOffForChange => {
+            SequenceStep::LeadOut => self.leave()?,
+            SequenceStep::LeadOutIfTilted if self.mover.retracts_along_tool() => {}
+            SequenceStep::LeadOutIfTilted => self.leave()?,
+            SequenceStep::CoolantOff => self.stop_coolant()?,
+            SequenceStep::InverseTimeOff => self.mover.output_mut().cancel_inverse_time()?,
+            SequenceStep::Retract => self.mover.machine_retract()?,
+            SequenceStep::SpindleOff => self.spindle.stop(self.mover.output_mut())?,
+            SequenceStep::SpindleOffForChange => {
                 let goes = !self.policy.options.retract.tool_change_position.is_empty();
                 if goes || self.spindle.may_run() {
                     self.spindle.stop(self.mover.output_mut())?;
                 }
             }
-            Need::SpindleAsAsked => self.stop_spindle()?,
-            Need::DrainDwell => self.drain_spindle()?,
-            Need::ChangePosition => self.mover.take_axes_to_tool_change()?,
-            Need::OperationEnd => self.end_operation()?,
-            Need::ToolEnd => self.end_tool()?,
-            Need::BlockSkipEnd => self.skip_blocks(false)?,
-            Need::Parking => {
+            SequenceStep::SpindleAsAsked => self.stop_spindle()?,
+            SequenceStep::DrainDwell => self.drain_spindle()?,
+            SequenceStep::ChangePosition => self.mover.take_axes_to_tool_change()?,
+            SequenceStep::OperationEnd => self.end_operation()?,
+            SequenceStep::ToolEnd => self.end_tool()?,
+            SequenceStep::BlockSkipEnd => self.skip_blocks(false)?,
+            SequenceStep::Parking => {
                 if !self.policy.options.park.is_empty() {
                     self.spindle.stop(self.mover.output_mut())?;
                 }

@@ -10,7 +10,7 @@ use crate::program::{
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::Planner;
-use crate::motion::plan::obligations::Place;
+use crate::motion::plan::obligations::SequencePlace;
 use crate::motion::plan::tool::LoadedTool;
 use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step};
@@ -340,7 +340,7 @@ impl<S: Sink> Records<'_, '_, S> {
         let planner = &mut *self.planner;
         let retract = planner.policy.options.stop_retract;
         // After the stop the retract axis moves from the position of the tool, so a tilted tool is led out before.
-        planner.come_to(if retract { Place::Stop } else { Place::StopInPlace })?;
+        planner.come_to(if retract { SequencePlace::Stop } else { SequencePlace::StopInPlace })?;
         planner.mover.output_mut().step(&Step::Stop { optional })?;
         // The operator may have done anything, and starts with the spindle as it was.
         if retract {
@@ -406,7 +406,7 @@ impl<S: Sink> Records<'_, '_, S> {
             planner.mover.output_mut().remark(Fault::new(text).help(help));
         }
         if stands.is_some() {
-            planner.come_to(Place::Standstill)?;
+            planner.come_to(SequencePlace::Standstill)?;
         } else if planner.mover.position().is_in_frame() {
             planner.mover.machine_retract()?;
         }
@@ -454,7 +454,7 @@ impl<S: Sink> Records<'_, '_, S> {
 
     /// GOHOME without a point: the machine retract, then the parking position where one is configured.
     fn go_home(&mut self) -> Planned {
-        self.planner.come_to(Place::Home)?;
+        self.planner.come_to(SequencePlace::Home)?;
         let placer = self.planner.mover.placer();
         let parks = self.planner.policy.options.park.contains_key(&placer.chain()[placer.retract_axis()].letter);
         let position = self.planner.mover.position_mut();

@@ -17,7 +17,7 @@ use crate::motion::options::Transition;
 use crate::program::{Location, Move};
 
 use crate::motion::fault::{Fault, Planned};
-use crate::motion::plan::obligations::Place;
+use crate::motion::plan::obligations::SequencePlace;
 use crate::motion::plan::selection::Opening;
 use crate::motion::plan::tool::LoadedTool;
 use crate::motion::plan::{MotionAndNext, Planner, cutter, records};
@@ -86,7 +86,7 @@ impl<S: Sink> Planner<'_, S> {
     /// machine is unknown there.
     fn begin_operation(&mut self, opening: Opening) -> Result<bool, crate::motion::plan::ItemError> {
         if opening.ends {
-            self.come_to(Place::SelectionEnd)?;
+            self.come_to(SequencePlace::SelectionEnd)?;
             self.mover.output_mut().times_mut().forget_empty();
         }
         self.mover.output_mut().show(opening.wanted);
@@ -160,7 +160,7 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.position_mut().forget_retract();
         // Where the program is entered here, the state of the coolant is unknown.
         self.coolant.forget();
-        self.come_to(Place::CompleteState)?;
+        self.come_to(SequencePlace::CompleteState)?;
         if enters {
             self.spindle.enter();
         }
@@ -206,7 +206,7 @@ impl<S: Sink> Planner<'_, S> {
         if !std::mem::take(&mut self.in_operation) || !self.abilities.operation_blocks.at_end {
             return Ok(());
         }
-        self.come_to(Place::OperationEnd)?;
+        self.come_to(SequencePlace::OperationEnd)?;
         self.mover.output_mut().step(&Step::OperationBlocks { at_end: true })?;
         self.spindle.reset();
         self.coolant.forget();
@@ -223,7 +223,7 @@ impl<S: Sink> Planner<'_, S> {
         }
         if on || self.mover.output().has_skippable() {
             // Whichever tool is in the spindle afterwards, this one has been looked at.
-            self.come_to(Place::BlockSkip)?;
+            self.come_to(SequencePlace::BlockSkip)?;
         } else {
             let fault =
                 Fault::new("no motion, stop or NC text comes between OPSKIP/ON and OPSKIP/OFF: nothing is skipped");
@@ -254,7 +254,7 @@ impl<S: Sink> Planner<'_, S> {
         };
         let radius_delta = cutter::radius_delta(self, &tool)?;
         if change {
-            self.come_to(Place::ToolChange)?;
+            self.come_to(SequencePlace::ToolChange)?;
         }
         self.mover.output_mut().step(&Step::Tool {
             number: tool.number,
@@ -314,7 +314,7 @@ impl<S: Sink> Planner<'_, S> {
         if !self.tooling.take_cut() || !has_any {
             return Ok(());
         }
-        self.come_to(Place::ToolEnd)?;
+        self.come_to(SequencePlace::ToolEnd)?;
         if self.abilities.retract_keeps_length {
             // It ends here, at the retract, and not where a macro has left the tool.
             self.restate_modes()?;
@@ -398,7 +398,7 @@ impl<S: Sink> Planner<'_, S> {
 
     /// A rapid that rotates the table or the head.
     pub(crate) fn index(&mut self, ahead: MotionAndNext<'_>, planned: Option<RotaryTarget>) -> Planned {
-        self.come_to(Place::Index)?;
+        self.come_to(SequencePlace::Index)?;
         self.enter_mode()?;
         self.stop_spindle()?;
         self.approach(ahead, planned)
@@ -492,7 +492,7 @@ impl<S: Sink> Planner<'_, S> {
         }
         self.cutter.check_end()?;
         self.mover.output_mut().serve(at, BlockReason::LeadOut);
-        self.come_to(Place::End)?;
+        self.come_to(SequencePlace::End)?;
         if self.tooling.changes() && self.selection.next_is_written() {
             // The shop ends with another tool in the spindle.
             self.restart(false)?;

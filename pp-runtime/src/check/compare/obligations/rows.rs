@@ -6,7 +6,7 @@ use crate::check::rules::Rules;
 
 /// What changes what a program owes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in super::super) enum Event {
+pub(in super::super) enum DutyEvent {
     /// The first block.
     Begin,
     /// The block that sets all modal codes: an operation can be entered there.
@@ -83,7 +83,7 @@ pub(in crate::check) enum Duty {
 
 /// A place to which a program comes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::check) enum Place {
+pub(in crate::check) enum DutyPlace {
     ToolChange,
     Stop,
     /// Blocks that may be skipped begin or end.
@@ -108,26 +108,31 @@ pub(in crate::check) enum Place {
 
 pub(super) struct Owed {
     pub(super) what: Duty,
-    pub(super) after: &'static [Event],
-    pub(super) done: &'static [Event],
+    pub(super) after: &'static [DutyEvent],
+    pub(super) done: &'static [DutyEvent],
     /// Where it is asked for at all.
     pub(super) asked: fn(&CheckPolicy) -> bool,
 }
 
 /// A row of what must be so at a place.
 pub(in crate::check) struct Needed {
-    pub(in crate::check) at: Place,
+    pub(in crate::check) at: DutyPlace,
     pub(in crate::check) what: Duty,
     pub(super) needed: fn(&Rules<'_>) -> bool,
     /// The finding; empty where the comparison has texts of its own.
     pub(super) text: &'static str,
 }
 
-const fn owed(what: Duty, after: &'static [Event], done: &'static [Event], asked: fn(&CheckPolicy) -> bool) -> Owed {
+const fn owed(
+    what: Duty,
+    after: &'static [DutyEvent],
+    done: &'static [DutyEvent],
+    asked: fn(&CheckPolicy) -> bool,
+) -> Owed {
     Owed { what, after, done, asked }
 }
 
-const fn needed(at: Place, what: Duty, needed: fn(&Rules<'_>) -> bool, text: &'static str) -> Needed {
+const fn needed(at: DutyPlace, what: Duty, needed: fn(&Rules<'_>) -> bool, text: &'static str) -> Needed {
     Needed { at, what, needed, text }
 }
 
@@ -153,79 +158,79 @@ fn has_own_tip_control(policy: &CheckPolicy) -> bool {
 /// What is owed, after what, and until what.
 #[rustfmt::skip]
 pub(super) const OWED: [Owed; 10] = [
-    owed(Duty::CompleteState, &[Event::Begin, Event::Motion, Event::BlockSkip], &[Event::CompleteState], |_| true),
-    owed(Duty::Retract, &[Event::Begin, Event::CompleteState, Event::PositionLost, Event::ShopLine, Event::BlockSkip], &[Event::Retract], |_| true),
-    owed(Duty::RetractAfterShopLine, &[Event::ShopLine], &[Event::Retract], |_| true),
-    owed(Duty::Parking, &[Event::Home], &[], |_| true),
-    owed(Duty::DrainDwell, &[Event::ThroughCoolant], &[Event::Drained], |policy| policy.links.through_dwell_s > 0.0),
-    owed(Duty::SpindleDwell, &[Event::SpindleStarts], &[Event::SpindleWaited, Event::SpindleOff], |policy| policy.links.spindle_dwell_s > 0.0),
-    owed(Duty::SpindleAgain, &[Event::CycleStopsSpindle], &[Event::SpindleStated], |_| true),
-    owed(Duty::TipControlOff, &[Event::Begin, Event::CompleteState, Event::BlockSkip], &[Event::TipControlOff], has_own_tip_control),
-    owed(Duty::PlaneGuard, &[Event::PlaneCall], &[Event::PlaneGuard, Event::Retract, Event::PositionLost], |policy| policy.shop.guards_planes),
-    owed(Duty::CycleAtLevel, &[Event::LevelOfCycle], &[Event::Cycle, Event::Motion], |_| true),
+    owed(Duty::CompleteState, &[DutyEvent::Begin, DutyEvent::Motion, DutyEvent::BlockSkip], &[DutyEvent::CompleteState], |_| true),
+    owed(Duty::Retract, &[DutyEvent::Begin, DutyEvent::CompleteState, DutyEvent::PositionLost, DutyEvent::ShopLine, DutyEvent::BlockSkip], &[DutyEvent::Retract], |_| true),
+    owed(Duty::RetractAfterShopLine, &[DutyEvent::ShopLine], &[DutyEvent::Retract], |_| true),
+    owed(Duty::Parking, &[DutyEvent::Home], &[], |_| true),
+    owed(Duty::DrainDwell, &[DutyEvent::ThroughCoolant], &[DutyEvent::Drained], |policy| policy.links.through_dwell_s > 0.0),
+    owed(Duty::SpindleDwell, &[DutyEvent::SpindleStarts], &[DutyEvent::SpindleWaited, DutyEvent::SpindleOff], |policy| policy.links.spindle_dwell_s > 0.0),
+    owed(Duty::SpindleAgain, &[DutyEvent::CycleStopsSpindle], &[DutyEvent::SpindleStated], |_| true),
+    owed(Duty::TipControlOff, &[DutyEvent::Begin, DutyEvent::CompleteState, DutyEvent::BlockSkip], &[DutyEvent::TipControlOff], has_own_tip_control),
+    owed(Duty::PlaneGuard, &[DutyEvent::PlaneCall], &[DutyEvent::PlaneGuard, DutyEvent::Retract, DutyEvent::PositionLost], |policy| policy.shop.guards_planes),
+    owed(Duty::CycleAtLevel, &[DutyEvent::LevelOfCycle], &[DutyEvent::Cycle, DutyEvent::Motion], |_| true),
 ];
 
 /// What must be so at each place.
 #[rustfmt::skip]
 pub(in crate::check) const NEEDED: [Needed; 49] = [
-    needed(Place::ToolChange, Duty::Parking, always, ""),
-    needed(Place::ToolChange, Duty::OperationEnded, always, ""),
-    needed(Place::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
-    needed(Place::ToolChange, Duty::SpindleOff, always, "tool change with the spindle on"),
-    needed(Place::ToolChange, Duty::DrainDwell, always, "the dwell `coolant.through_dwell` before this tool change is missing"),
-    needed(Place::ToolChange, Duty::Retract, always, "tool change before the machine has retracted"),
-    needed(Place::ToolChange, Duty::AtChangePosition, always, ""),
-    needed(Place::ToolChange, Duty::ApproachEnded, always, ""),
-    needed(Place::ToolChange, Duty::CutsEnded, always, ""),
+    needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
+    needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
+    needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
+    needed(DutyPlace::ToolChange, Duty::SpindleOff, always, "tool change with the spindle on"),
+    needed(DutyPlace::ToolChange, Duty::DrainDwell, always, "the dwell `coolant.through_dwell` before this tool change is missing"),
+    needed(DutyPlace::ToolChange, Duty::Retract, always, "tool change before the machine has retracted"),
+    needed(DutyPlace::ToolChange, Duty::AtChangePosition, always, ""),
+    needed(DutyPlace::ToolChange, Duty::ApproachEnded, always, ""),
+    needed(DutyPlace::ToolChange, Duty::CutsEnded, always, ""),
 
-    needed(Place::Stop, Duty::OperationEnded, always, ""),
-    needed(Place::Stop, Duty::CutsEnded, always, ""),
-    needed(Place::Stop, Duty::Parking, always, ""),
-    needed(Place::Stop, Duty::ClampsOfCuts, always, ""),
-    needed(Place::Stop, Duty::Retracted, stops_retracted, "program stop before the machine has retracted"),
-    needed(Place::Stop, Duty::StateAtEnd, stops_retracted, ""),
-    needed(Place::Stop, Duty::ApproachEnded, always, ""),
+    needed(DutyPlace::Stop, Duty::OperationEnded, always, ""),
+    needed(DutyPlace::Stop, Duty::CutsEnded, always, ""),
+    needed(DutyPlace::Stop, Duty::Parking, always, ""),
+    needed(DutyPlace::Stop, Duty::ClampsOfCuts, always, ""),
+    needed(DutyPlace::Stop, Duty::Retracted, stops_retracted, "program stop before the machine has retracted"),
+    needed(DutyPlace::Stop, Duty::StateAtEnd, stops_retracted, ""),
+    needed(DutyPlace::Stop, Duty::ApproachEnded, always, ""),
 
-    needed(Place::BlockSkip, Duty::CutsEnded, always, ""),
-    needed(Place::BlockSkip, Duty::OperationEnded, always, ""),
-    needed(Place::BlockSkip, Duty::ToolEnded, always, ""),
-    needed(Place::BlockSkip, Duty::Parking, always, ""),
-    needed(Place::BlockSkip, Duty::ApproachEnded, always, ""),
-    needed(Place::BlockSkip, Duty::Away, always, "blocks that may be skipped begin and end with the machine retracted: expected the retract before this block"),
-    needed(Place::BlockSkip, Duty::ClampsOfCuts, always, ""),
-    needed(Place::BlockSkip, Duty::SpindleAndCoolantOff, always, "blocks that may be skipped begin and end with spindle and coolant off: one of them is on before this block"),
+    needed(DutyPlace::BlockSkip, Duty::CutsEnded, always, ""),
+    needed(DutyPlace::BlockSkip, Duty::OperationEnded, always, ""),
+    needed(DutyPlace::BlockSkip, Duty::ToolEnded, always, ""),
+    needed(DutyPlace::BlockSkip, Duty::Parking, always, ""),
+    needed(DutyPlace::BlockSkip, Duty::ApproachEnded, always, ""),
+    needed(DutyPlace::BlockSkip, Duty::Away, always, "blocks that may be skipped begin and end with the machine retracted: expected the retract before this block"),
+    needed(DutyPlace::BlockSkip, Duty::ClampsOfCuts, always, ""),
+    needed(DutyPlace::BlockSkip, Duty::SpindleAndCoolantOff, always, "blocks that may be skipped begin and end with spindle and coolant off: one of them is on before this block"),
 
-    needed(Place::Standstill, Duty::Retracted, always, "a clamp, a chuck, a door or a pallet moves here: expected the machine retract before this block"),
-    needed(Place::Standstill, Duty::SpindleStopped, always, "a clamp, a chuck, a door or a pallet moves here: the spindle is not known to be off"),
+    needed(DutyPlace::Standstill, Duty::Retracted, always, "a clamp, a chuck, a door or a pallet moves here: expected the machine retract before this block"),
+    needed(DutyPlace::Standstill, Duty::SpindleStopped, always, "a clamp, a chuck, a door or a pallet moves here: the spindle is not known to be off"),
 
-    needed(Place::Measuring, Duty::Retract, always, "the machine has not retracted before the tool is measured or checked for breakage"),
+    needed(DutyPlace::Measuring, Duty::Retract, always, "the machine has not retracted before the tool is measured or checked for breakage"),
 
-    needed(Place::RetractOfStart, Duty::Parking, always, ""),
-    needed(Place::RetractOfStart, Duty::TipControlOff, always, "tip control may be on: its code off is missing after the restart point and before the retract"),
+    needed(DutyPlace::RetractOfStart, Duty::Parking, always, ""),
+    needed(DutyPlace::RetractOfStart, Duty::TipControlOff, always, "tip control may be on: its code off is missing after the restart point and before the retract"),
 
-    needed(Place::ApproachStep, Duty::PlaneGuard, always, ""),
+    needed(DutyPlace::ApproachStep, Duty::PlaneGuard, always, ""),
 
-    needed(Place::Operation, Duty::CoolantStated, always, "operation starts without its coolant, which must be programmed after its restart point"),
-    needed(Place::Operation, Duty::OffsetStated, has_safety_line, "operation starts without its work offset, which must be programmed after its restart point"),
-    needed(Place::Operation, Duty::SpindleStated, always, "operation starts without its spindle, which must be programmed after its restart point"),
-    needed(Place::Operation, Duty::CompleteState, has_safety_line, "operation starts without a restart point, the block that sets all modal codes"),
-    needed(Place::Operation, Duty::Retract, always, "operation starts without the machine retract after its restart point"),
-    needed(Place::Operation, Duty::LengthGuard, always, ""),
-    needed(Place::Operation, Duty::ClampsStated, always, ""),
-    needed(Place::Operation, Duty::TipControlOff, always, "tip control may be on: its code off is missing after the restart point and before the retract"),
-    needed(Place::Operation, Duty::Blank, always, ""),
+    needed(DutyPlace::Operation, Duty::CoolantStated, always, "operation starts without its coolant, which must be programmed after its restart point"),
+    needed(DutyPlace::Operation, Duty::OffsetStated, has_safety_line, "operation starts without its work offset, which must be programmed after its restart point"),
+    needed(DutyPlace::Operation, Duty::SpindleStated, always, "operation starts without its spindle, which must be programmed after its restart point"),
+    needed(DutyPlace::Operation, Duty::CompleteState, has_safety_line, "operation starts without a restart point, the block that sets all modal codes"),
+    needed(DutyPlace::Operation, Duty::Retract, always, "operation starts without the machine retract after its restart point"),
+    needed(DutyPlace::Operation, Duty::LengthGuard, always, ""),
+    needed(DutyPlace::Operation, Duty::ClampsStated, always, ""),
+    needed(DutyPlace::Operation, Duty::TipControlOff, always, "tip control may be on: its code off is missing after the restart point and before the retract"),
+    needed(DutyPlace::Operation, Duty::Blank, always, ""),
 
-    needed(Place::Feed, Duty::SpindleDwell, always, "the dwell after the start of the spindle (`spindle_dwell`) is missing"),
-    needed(Place::Cut, Duty::SpindleAgain, always, SPINDLE_AGAIN),
-    needed(Place::Cut, Duty::CycleAtLevel, always, "the tool has come to the level of a cycle, and this is none"),
-    needed(Place::Cycle, Duty::SpindleAgain, always, SPINDLE_AGAIN),
+    needed(DutyPlace::Feed, Duty::SpindleDwell, always, "the dwell after the start of the spindle (`spindle_dwell`) is missing"),
+    needed(DutyPlace::Cut, Duty::SpindleAgain, always, SPINDLE_AGAIN),
+    needed(DutyPlace::Cut, Duty::CycleAtLevel, always, "the tool has come to the level of a cycle, and this is none"),
+    needed(DutyPlace::Cycle, Duty::SpindleAgain, always, SPINDLE_AGAIN),
 
-    needed(Place::End, Duty::Retracted, always, "end code before the machine has retracted"),
-    needed(Place::End, Duty::ProgramEnded, always, ""),
-    needed(Place::End, Duty::StateAtEnd, always, ""),
-    needed(Place::End, Duty::ApproachEnded, always, ""),
-    needed(Place::End, Duty::CutsEnded, always, ""),
-    needed(Place::End, Duty::ParkingAtEnd, always, ""),
+    needed(DutyPlace::End, Duty::Retracted, always, "end code before the machine has retracted"),
+    needed(DutyPlace::End, Duty::ProgramEnded, always, ""),
+    needed(DutyPlace::End, Duty::StateAtEnd, always, ""),
+    needed(DutyPlace::End, Duty::ApproachEnded, always, ""),
+    needed(DutyPlace::End, Duty::CutsEnded, always, ""),
+    needed(DutyPlace::End, Duty::ParkingAtEnd, always, ""),
 ];
 
 const SPINDLE_AGAIN: &str = "the control has switched the spindle off after the cycle: M3 or M4 is missing";

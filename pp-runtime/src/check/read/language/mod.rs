@@ -67,7 +67,7 @@ pub(super) struct Row {
     pub(crate) spelling: &'static str,
     /// Letter and number of a code, for the search: letter << 24, and the number in tenths.
     key: u32,
-    /// Last code of a row that stands for several.
+    /// Last code of a row for several.
     last: u32,
     pub(crate) means: Means,
     /// Modal group, of which a block may have one code.
@@ -130,7 +130,7 @@ impl Row {
         Self { takes: self.takes | letters(words), needs: letters(words), ..self }
     }
 
-    /// The row stands for every whole code up to this one.
+    /// The row is for every whole code up to this one.
     const fn up_to(self, last: &str) -> Self {
         Self { last: key(last), ..self }
     }

@@ -13,7 +13,7 @@ use crate::program::{Rotation, Units};
 /// Numbers of a call by their slots.
 struct Numbers([Option<f64>; SLOTS]);
 
-/// What stands at the place of an argument.
+/// An argument of a call.
 enum Argument<'a> {
     Gap,
     Number(f64),
