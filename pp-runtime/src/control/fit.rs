@@ -394,6 +394,8 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         operation_blocks: OperationBlocks {
             at_start: !demands.options.program.operation_start.is_empty(),
             at_end: !demands.options.program.operation_end.is_empty(),
+            stop_spindle: [&demands.options.program.operation_start, &demands.options.program.operation_end]
+                .map(|lines| lines.iter().any(|line| demands.motion.standstill.iter().any(|word| word.is_in(line)))),
         },
     }
 }

@@ -134,6 +134,13 @@ pub struct StandstillWord {
     pub effect: Option<&'static str>,
 }
 
+impl StandstillWord {
+    /// Whether a block is this line, or has this word.
+    pub(crate) fn is_in(&self, block: &str) -> bool {
+        block.trim() == self.text || block.split_whitespace().any(|word| word == self.text)
+    }
+}
+
 options! {
     /// Choice of branch and turns of the rotary axes, for the whole program: fewest rewinds, then these preferences,
     /// then least time at the largest axis speeds, then least travel.

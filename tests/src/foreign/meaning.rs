@@ -30,6 +30,8 @@ pub enum Meaning {
     Units(Units),
     /// Distance mode.
     Distance(Distance),
+    /// Centres of arcs: absolute, or from the start of the arc.
+    ArcCentres(Distance),
     /// Feed mode; F has to be programmed anew.
     FeedMode(FeedMode),
     /// Cutter compensation; the register comes with its own word.
@@ -122,6 +124,8 @@ pub enum Group {
     Units,
     /// `State::distance`.
     Distance,
+    /// `State::arc_centres`.
+    ArcCentres,
     /// `State::feed_mode`, `State::feed`.
     FeedMode,
     /// `State::compensation`.
@@ -172,6 +176,7 @@ impl Meaning {
             Self::Plane(_) => Group::Plane,
             Self::Units(_) => Group::Units,
             Self::Distance(_) => Group::Distance,
+            Self::ArcCentres(_) => Group::ArcCentres,
             Self::FeedMode(_) => Group::FeedMode,
             Self::Compensation(_) => Group::Compensation,
             Self::LengthOn | Self::LengthOff | Self::LengthWithTipControl(_) => Group::Length,

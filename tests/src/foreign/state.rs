@@ -263,6 +263,8 @@ pub struct State {
     pub plane: Option<Plane>,
     /// Distance mode.
     pub distance: Option<Distance>,
+    /// Centres of arcs, where the control has both.
+    pub arc_centres: Option<Distance>,
     /// Motion mode.
     pub motion: Option<MotionMode>,
     /// Feed mode.

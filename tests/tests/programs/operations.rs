@@ -264,7 +264,7 @@ fn a_free_axis_at_zero_in_the_next_operation_stays_in_this_one() {
 #[test]
 fn blocks_of_the_shop_may_state_the_tolerance_of_blending_of_each_operation() {
     let linuxcnc = control::by_name("linuxcnc").expect("a control");
-    let safety = "safety = ['{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}";
+    let safety = "safety = ['{units} G17 G40 G49 G80 G90 G91.1 G94 {work_offset} G64 P{path_tolerance}";
     let starts = "[program]\noperation_start = ['G64 P{path_tolerance} Q0.005']\n";
     for own in [
         format!("[control]\n{safety}']\n"),

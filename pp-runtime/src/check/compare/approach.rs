@@ -129,7 +129,7 @@ impl Comparison<'_> {
                 | ExpectedAction::BlockSkip { .. }
                 | ExpectedAction::Raw(_)
                 | ExpectedAction::Probe { .. }
-                | ExpectedAction::Home,
+                | ExpectedAction::Home { .. },
             ..
         }) = self.progress.next()
         {

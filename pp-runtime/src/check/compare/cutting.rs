@@ -550,7 +550,12 @@ impl Comparison<'_> {
             BetweenEnds::Within(_) => rules.deviation(&rules.path(*words, block), ends, segment, self.progress.along()),
         };
         let stroke = stroke.with_tip_rate(deviation.as_ref(), &part.required);
-        let fault = self.rules.feed_fault(&stroke, &block.state, segment, [along, part.share]);
+        let shares = [along, part.share];
+        let of = |stroke: &Stroke| self.rules.feed_fault(stroke, &block.state, segment, shares);
+        // F may be that of the motion of the CL data or of the one that the words lead on: after a cycle that leans they differ.
+        let as_asked = || Stroke { length_mm: (part.share - along).abs() * segment.length(), ..stroke.clone() };
+        let is_line = matches!(segment.shape, PathShape::Line);
+        let fault = of(&stroke).filter(|_| !is_line || of(&as_asked()).is_some());
         self.found_any(current, fault);
     }
 

@@ -77,8 +77,47 @@ impl Comparison<'_> {
         let of_another = self.shop_lines.values_fault(own, current.block.state.tool, register);
         self.found_any(current, of_another);
         self.measures_at_tool_position(own, current);
+        if !is_of_cl {
+            if own.needs_standstill {
+                self.come_to(DutyPlace::Standstill, Some(phase), current);
+            }
+            self.ends_tool(own, current);
+        }
         if needs_retract(own) {
             self.duties.happens(DutyEvent::ShopLine);
+        }
+    }
+
+    /// A line of the shop for a tool that has cut comes after the records of that tool, and before it is looked at for breakage.
+    fn ends_tool(&mut self, own: &OwnLine, current: &Current<'_>) {
+        let of_end = |place: &OwnPlace| matches!(place, OwnPlace::ToolEnd { .. } | OwnPlace::CheckTool);
+        if !own.places.iter().all(of_end) {
+            return;
+        }
+        let tool = self.previous.tool;
+        let is_record = |item: &ExpectedItem| {
+            let record = matches!(
+                item.action,
+                ExpectedAction::Stop { .. }
+                    | ExpectedAction::Dwell { .. }
+                    | ExpectedAction::Raw(_)
+                    | ExpectedAction::Probe { .. }
+                    | ExpectedAction::Home { .. }
+            );
+            record && item.required.tool == tool
+        };
+        if tool.is_some() && self.progress.next().is_some_and(is_record) {
+            self.found(
+                current,
+                "this line ends the work of its tool, and a record of the CL data with that tool comes after it",
+            );
+        }
+        let ends = own.places.iter().any(|place| matches!(place, OwnPlace::ToolEnd { .. }));
+        if ends && self.shop_lines.has_been_checked(tool) {
+            self.found(
+                current,
+                "this line ends the work of its tool, and the tool has been checked for breakage before it",
+            );
         }
     }
 
@@ -87,8 +126,17 @@ impl Comparison<'_> {
         let of_start = |place: &OwnPlace| {
             matches!(place, OwnPlace::OperationStart | OwnPlace::ToolStart { .. } | OwnPlace::MeasureTool)
         };
+        let ends = own.places.iter().all(|place| *place == OwnPlace::OperationEnd);
+        if ends && !is_of_cl && !self.duties.owes(Duty::CompleteState) {
+            self.found(current, "this line ends an operation, and comes after the complete state of the next one");
+        }
         if is_of_cl || !own.places.iter().all(of_start) {
             return;
+        }
+        let starts_tool = |place: &OwnPlace| *place != OwnPlace::MeasureTool;
+        let runs = current.block.stated & stated::SPINDLE != 0 && current.block.state.spindle.flatten().is_some();
+        if runs && own.places.iter().all(starts_tool) {
+            self.found(current, "this line comes after the spindle of its operation has started");
         }
         let owes = |what| self.duties.owes(what);
         // A line before it may have lost the retract.

@@ -9,7 +9,7 @@ use super::super::read::{Action, Block, OwnPlace};
 use super::super::rules::ModalContext;
 use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::{Cutting, Phase, Retracted};
-use super::{Comparison, Current, machine_move, parking, retract};
+use super::{Comparison, Current, Previous, machine_move, parking, retract};
 use crate::program::Clearance;
 
 impl Comparison<'_> {
@@ -175,15 +175,34 @@ impl Comparison<'_> {
         self.found_state(current, fault);
         self.duties.happens(DutyEvent::Retract);
         self.at_station = Default::default();
-        let is_home =
-            |item: &ExpectedItem| matches!(item.action, ExpectedAction::Home) && self.is_with_tool(item, block);
-        if self.progress.next().is_some_and(is_home) {
+        if self.is_home_due(block.state.tool) {
             self.progress.take();
             retracted.parks = true;
             self.duties.happens(DutyEvent::Home);
             self.parked = 0;
         }
         Ok(Phase::Retracted(Box::new(retracted)))
+    }
+
+    /// Whether GOHOME is next, and the tool in the spindle, as far as it is known, is the one with which it is carried out: after
+    /// blocks that may be skipped, a tool that is called comes first.
+    fn is_home_due(&self, tool: Option<u32>) -> bool {
+        let Some(ExpectedItem { action: ExpectedAction::Home { called }, required, .. }) = self.progress.next() else {
+            return false;
+        };
+        let Previous { tool: before, unsure_tool, .. } = self.previous;
+        tool == required.tool || tool.is_none() && before.is_some() && !(unsure_tool && *called)
+    }
+
+    /// GOHOME where the machine has retracted already: its axes are parked from there.
+    pub(super) fn take_home(&mut self, phase: &mut Phase, block: &Block) {
+        let Phase::Retracted(retracted) = phase else { return };
+        let changes = block.action == Action::ToolChange;
+        if retracted.step == 0 && !changes && self.is_home_due(block.state.tool) {
+            self.progress.take();
+            retracted.parks = true;
+            self.duties.happens(DutyEvent::Home);
+        }
     }
 
     /// Every axis with a parking position is there.

@@ -163,6 +163,8 @@ struct Previous {
     spindle_stated: bool,
     /// The last tool that the program has changed to as the CL data calls it.
     tool: Option<u32>,
+    /// Blocks that may be skipped have begun or ended since.
+    unsure_tool: bool,
 }
 
 /// The lines that have set parts of the state: a wrong value is reported there.
@@ -403,6 +405,7 @@ impl Reading<'_> {
             comparison.setters.follow(block, text);
         }
         comparison.block_skip(phase, &current)?;
+        comparison.take_home(phase, block);
         let is_line = !block.goes_on;
         if is_line && comparison.progress.has_records_ahead() && comparison.is_raw(phase, &current) {
             *phase = comparison.forget(phase);

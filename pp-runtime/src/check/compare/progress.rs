@@ -324,7 +324,9 @@ impl<'a> ClProgress<'a> {
             Some(ExpectedAction::Probe { text, .. }) => {
                 format!("`{}` of `cycles.probe` is missing before this block", String::from_utf8_lossy(text))
             }
-            Some(ExpectedAction::Home) => "the retract of GOHOME is not in the program before this block".to_owned(),
+            Some(ExpectedAction::Home { .. }) => {
+                "the retract of GOHOME is not in the program before this block".to_owned()
+            }
             Some(ExpectedAction::Dwell { .. }) | None => "this block matches no motion of the CL data".to_owned(),
         }
     }

@@ -92,7 +92,7 @@ impl Comparison<'_> {
         let of_shop = current.block.own.is_some();
         let required = self.tool_due();
         if required == tool {
-            self.previous.tool = tool;
+            (self.previous.tool, self.previous.unsure_tool) = (tool, false);
         }
         match required {
             // The shop may end with another tool.
@@ -186,6 +186,7 @@ impl Comparison<'_> {
             let spindles = std::iter::once(required.spindle).chain(self.progress.requested_spindle());
             let runs = spindles.into_iter().any(|spindle| self.rules.spindle_is(&current.block.state, spindle));
             self.compare_tool(current);
+            self.come_to(DutyPlace::Wait, Some(phase), current);
             self.progress.take();
             if waits_with.is_some() {
                 phase.start_spindle();
@@ -245,9 +246,11 @@ impl Comparison<'_> {
             _ if of_shop => return Ok(None),
             _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
         }
-        self.functions.wait_with(None);
         self.come_to(DutyPlace::Stop, Some(phase), current);
         let retracts = self.rules.policy().links.retracts_for_stop;
+        if retracts {
+            self.functions.wait_with(None);
+        }
         // After the stop the retract axis moves from the position of the tool.
         if let Phase::Cutting(cutting) = &*phase
             && !retracts
@@ -299,6 +302,7 @@ impl Comparison<'_> {
         self.previous.known &= current.block.known_before;
         // A complete state that may be skipped, or that came before, is none for what comes after.
         self.functions.restart();
+        self.previous.unsure_tool = true;
         self.forget(phase);
         self.duties.happens(DutyEvent::BlockSkip);
         *phase = match phase.is_retracted() {

@@ -169,6 +169,11 @@ impl ShopLines {
         }
     }
 
+    /// Whether the blocks that look for breakage of a tool have come.
+    pub(super) fn has_been_checked(&self, tool: Option<u32>) -> bool {
+        self.is_checked(Some(tool)) && self.lines.missing(|place| place == OwnPlace::CheckTool).is_empty()
+    }
+
     /// Whether a tool that has cut is checked for breakage.
     fn is_checked(&self, tool: Option<Option<u32>>) -> bool {
         tool.flatten().is_some_and(|tool| self.checked.contains(&tool))

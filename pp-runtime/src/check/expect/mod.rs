@@ -136,7 +136,10 @@ pub(super) enum ExpectedAction {
         /// No other comes before it.
         first: bool,
     },
-    Home,
+    Home {
+        /// A tool has been called since the last motion.
+        called: bool,
+    },
 }
 
 /// A text that the control must display.

@@ -247,7 +247,8 @@ impl<'a> ClState<'a> {
             NewStart::SafeSequence => self.begin_elsewhere(),
             NewStart::Home => {
                 self.goes_on = false;
-                self.interrupt(at, ExpectedAction::Home);
+                let called = self.operation.called;
+                self.interrupt(at, ExpectedAction::Home { called });
             }
         }
     }
@@ -683,6 +684,12 @@ impl<'a> ClState<'a> {
     /// A hole whose motions are being added, at its feed.
     fn at_feed(&self, hole: &Rc<ExpectedHole>) -> Rc<ExpectedHole> {
         let mut expected = Rc::clone(hole);
+        if let (Drilling::Tap { pitch_mm: None }, Some(Feed::PerMinute(feed)), Some((speed, _))) =
+            (expected.hole.drilling, expected.hole.feed, self.exact_spindle())
+        {
+            // The thread is that of the CL data, whichever speed is written.
+            Rc::make_mut(&mut expected).hole.drilling = Drilling::Tap { pitch_mm: Some(feed / speed) };
+        }
         let feed = expected.hole.feed.map(|feed| if self.in_thread() { feed } else { self.capped(feed) });
         if feed != expected.hole.feed {
             Rc::make_mut(&mut expected).hole.feed = feed;
@@ -700,7 +707,15 @@ impl<'a> ClState<'a> {
         self.fault.as_ref()
     }
 
+    /// The spindle as it is written.
     fn spindle_state(&self) -> Option<SpindleState> {
+        let (speed, rotation) = self.exact_spindle()?;
+        let scale = 10_f64.powi(self.policy.digits.speed as i32);
+        Some(((speed * scale).round() / scale, rotation))
+    }
+
+    /// The spindle as CL data and configuration have it.
+    fn exact_spindle(&self) -> Option<SpindleState> {
         let request = &self.spindle.now;
         if request.off {
             return None;
@@ -710,8 +725,7 @@ impl<'a> ClState<'a> {
         let speed = request.speed_rev_per_min.or(given.and_then(|tool| tool.speed_rev_per_min));
         let speed = speed.or(defaults.speed_rev_per_min)?;
         let rotation = request.rotation.or(given.and_then(|tool| tool.rotation)).or(defaults.rotation)?;
-        let scale = 10_f64.powi(self.policy.digits.speed as i32);
-        Some(((speed * scale).round() / scale, rotation))
+        Some((speed, rotation))
     }
 
     fn coolant_bits(&self) -> u8 {

@@ -141,6 +141,7 @@ impl Line<'_> {
             Means::Plane(plane) => self.orders.mode(Mode::Plane(plane)),
             Means::Units(units) => self.orders.mode(Mode::Units(units)),
             Means::Distances { incremental } => self.orders.mode(Mode::Incremental(incremental)),
+            Means::ArcCentres { absolute } => self.orders.mode(Mode::AbsoluteCentres(absolute)),
             Means::FeedMode(mode) => self.orders.mode(Mode::FeedMode(mode)),
             Means::Side(side) => {
                 if let Some(word) = self.words.take_letter(b'D', takes) {

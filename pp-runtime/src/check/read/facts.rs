@@ -98,6 +98,8 @@ pub(crate) struct Facts {
     pub(crate) tap_stops_spindle: bool,
     /// The control has switched the spindle off after a bore with the spindle stopped at an angle.
     pub(crate) bore_stops_spindle: bool,
+    /// Whether centres of arcs are absolute is modal, and the end of a program leaves it as it is.
+    pub(crate) modal_centres: bool,
     /// A length guard compares in mm, whatever the unit of the program.
     pub(crate) guard_in_mm: bool,
     /// F of an inch program counts tenths of an inch.
@@ -200,6 +202,7 @@ const ISO: Facts = Facts {
     // Rigid tapping: Fanuc B-63944EN/02 (2004), Haas 96-8000 (from memory).
     tap_stops_spindle: true,
     bore_stops_spindle: false,
+    modal_centres: false,
     guard_in_mm: false,
     feed_in_tenths_of_inch: false,
     feed_counts_degrees: false,
@@ -274,6 +277,8 @@ impl Family {
                 length_off_at_machine_coordinates: false,
                 reference_cancels_length: false,
                 tap_stops_spindle: false,
+                // LinuxCNC, interp_convert.cc, convert_stop: M2 does not reset G90.1.
+                modal_centres: true,
                 guard_in_mm: true,
                 rapids_interpolated: true,
                 tip_control_holds_axis_speeds: false,

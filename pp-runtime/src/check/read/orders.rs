@@ -134,6 +134,8 @@ pub(super) enum Mode {
     Plane(WorkPlane),
     Side(Side),
     Incremental(bool),
+    /// I J K of arcs are absolute.
+    AbsoluteCentres(bool),
     ReturnToInitial(bool),
     Shortest(bool),
     /// The code may cancel the work offset; whether tip control is off afterwards.
@@ -189,7 +191,11 @@ impl Mode {
             Self::FeedMode(_) => 1,
             Self::Feed(_) | Self::Speed(_) => 2,
             Self::Tool(_) | Self::RadiusRegister(_) | Self::Plane(_) | Self::Side(_) => 3,
-            Self::Incremental(_) | Self::ReturnToInitial(_) | Self::Shortest(_) | Self::CancelsOffset { .. } => 3,
+            Self::Incremental(_)
+            | Self::AbsoluteCentres(_)
+            | Self::ReturnToInitial(_)
+            | Self::Shortest(_)
+            | Self::CancelsOffset { .. } => 3,
             Self::WorkOffset(_) => 4,
             Self::Path(_) | Self::Smoothing(..) | Self::Clamp { .. } => 5,
             Self::Change => 6,

@@ -237,6 +237,8 @@ pub struct State {
     pub units: Option<Units>,
     /// Words are distances.
     pub incremental: Option<bool>,
+    /// I J K of arcs are absolute.
+    pub absolute_centres: Option<bool>,
     /// Plane of arcs and cycles.
     pub plane: Option<WorkPlane>,
     /// Sense of the spindle; `Some(None)` if it stands.
@@ -320,6 +322,7 @@ impl State {
             cancelled_offset,
             units,
             incremental,
+            absolute_centres,
             plane,
             spindle,
             speed,
@@ -353,6 +356,7 @@ impl State {
         keep(cancelled_offset, &other.cancelled_offset);
         keep(units, &other.units);
         keep(incremental, &other.incremental);
+        keep(absolute_centres, &other.absolute_centres);
         keep(plane, &other.plane);
         keep(spindle, &other.spindle);
         keep(speed, &other.speed);
@@ -409,6 +413,7 @@ impl Default for State {
             cancelled_offset: None,
             units: None,
             incremental: None,
+            absolute_centres: None,
             plane: None,
             spindle: None,
             speed: None,

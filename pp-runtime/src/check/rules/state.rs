@@ -263,6 +263,13 @@ impl Rules<'_> {
             let since = state.since_lost(state.incremental.is_none());
             return Some(format!("incremental mode (G91) is active, or G90 has not been programmed{since}"));
         }
+        let centres = state.absolute_centres;
+        if self.facts.modal_centres && centres != Some(false) && !(centres.is_none() && self.policy.shop.own_safety) {
+            let since = state.since_lost(centres.is_none());
+            return Some(format!(
+                "centres of arcs are absolute (G90.1 is active), or G91.1 has not been programmed{since}"
+            ));
+        }
         let unselected = context.no_plane && self.facts.plane_by_tool_call && state.plane.is_none();
         let of_arc = state.plane.is_some() && state.plane == context.arc_plane;
         if state.plane != Some(WorkPlane::Xy) && !unselected && !of_arc {

@@ -33,7 +33,8 @@ static SPELLINGS: Spellings = Spellings {
     linear_rapids: LinearRapids::Always,
     // Its planner knows the coordinates only: github.com/LinuxCNC/linuxcnc, issue 97 (following errors of the joints).
     tip_control_holds_axis_speeds: false,
-    safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}"],
+    // G90.1, absolute centres of arcs, survives M2: interp_convert.cc, convert_stop.
+    safety: &["{units} G17 G40 G49 G80 G90 G91.1 G94 {work_offset} G64 P{path_tolerance}"],
     blending: &["G64 P{path_tolerance}"],
     arcs: ArcCodes {
         // If the radii differ by more, the interpreter of version 2.9 also compares their ratio.
@@ -61,7 +62,7 @@ static SPELLINGS: Spellings = Spellings {
     },
     rotary_note: "the axes must not be wrapped (WRAPPED_ROTARY = 0)",
     examples: &[
-        ("control.safety", r#"["{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}"]"#),
+        ("control.safety", r#"["{units} G17 G40 G49 G80 G90 G91.1 G94 {work_offset} G64 P{path_tolerance}"]"#),
         ("control.coolant", r#"{ through = ["M64 P2", "M65 P2"] }"#),
         ("control.effects", r#"{ "M110" = "none" }"#),
         ("cycles.probe", r#"{ "PROBE/BORE,20" = ["o<probe_bore> call [20]"] }"#),

@@ -64,6 +64,8 @@ pub struct OperationBlocks {
     pub at_start: bool,
     /// They come after the machine retract.
     pub at_end: bool,
+    /// Those at the start, and those at the end, clamp, open or change something: the spindle stops before them.
+    pub stop_spindle: [bool; 2],
 }
 
 impl Abilities {

@@ -258,7 +258,13 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
 
     /// Start of a piece: the end of the one before it, or the present place.
     fn end_of<'s>(&'s self, before: Option<&'s (AxisPosition, [f64; 2])>) -> (&'s AxisPosition, [f64; 2]) {
-        before.map_or((self.planner.mover.here(), [0.0; 2]), |(place, drift)| (place, *drift))
+        before.map_or_else(|| (self.planner.mover.here(), self.start_drift()), |(place, drift)| (place, *drift))
+    }
+
+    /// Distance of the tool from its words, after an arc by its angle.
+    fn start_drift(&self) -> [f64; 2] {
+        let here = self.planner.mover.placer().written(self.planner.mover.here());
+        self.planner.arc_end.filter(|(words, _)| *words == here).map_or([0.0; 2], |(_, drift)| drift)
     }
 
     /// A piece, `share` of the arc, if it stays within tolerance. `drift`: distance of its start from the start of its words,
@@ -322,6 +328,8 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         }
         let radius = match self.planner.policy.options.arcs.form {
             ArcForm::Centre => None,
+            // Its centre follows from its start.
+            ArcForm::Radius if drifted > 0.0 => None,
             ArcForm::Radius => nominal.radius(start, end, &fit, grid).filter(|(_, deviation)| within(*deviation)),
         };
         Some(Circle {
@@ -360,7 +368,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             BlockReason::Record
         });
         let mask = in_program.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
-        let mut drift = [0.0; 2];
+        let mut drift = self.start_drift();
         for number in 1..cuts.pieces {
             let (share, to) = (cuts.share(number), self.piece_end(cuts.end(number))?);
             let piece = self.piece(in_program, share, (self.planner.mover.here(), drift), &to);
@@ -369,7 +377,9 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             self.planner.mover.position_mut().go_to(&to);
             drift = piece.drift;
         }
-        self.write_piece(&last.circle, end, cuts.share(cuts.pieces), (rate, mask))
+        self.write_piece(&last.circle, end, cuts.share(cuts.pieces), (rate, mask))?;
+        self.planner.arc_end = Some((self.planner.mover.placer().written(end), last.drift));
+        Ok(())
     }
 
     /// Writes a piece, `share` of the arc, at `rate` mm/min with the words of the axes in `mask`.

@@ -460,9 +460,10 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let Some((rev_per_min, rotation)) = self.planner.spindle.running() else {
             return Err(Fault::new("tapping with the spindle off"));
         };
+        // The thread is that of the CL data, with the speed that it has there and not with the rounded one.
         let stated = match self.hole.feed {
             Some(Programmed::PerRevolution(pitch)) => Some(pitch),
-            Some(Programmed::PerMinute(feed)) => Some(feed / rev_per_min),
+            Some(Programmed::PerMinute(feed)) => self.planner.spindle.exact_speed().map(|exact| feed / exact),
             None => None,
         };
         let pitch = pitch.or(stated).filter(|pitch| *pitch > 0.0);

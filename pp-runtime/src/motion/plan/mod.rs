@@ -47,8 +47,7 @@ use crate::motion::fault::{Fault, ItemError, Planned, PlanningError};
 use crate::motion::geometry::PathSegment;
 use crate::motion::rotary::{RotaryTarget, RotaryWords};
 use crate::motion::source::{Begins, ItemAction, LinePart, MotionIndex, Next, ProgramItem, Stage};
-use crate::motion::step::BlockReason;
-use crate::motion::step::Sink;
+use crate::motion::step::{BlockReason, MAX_AXES, Sink};
 
 pub use abilities::{Abilities, CutterRadius, OperationBlocks, Registers};
 pub use clamps::MovingAxes;
@@ -93,6 +92,8 @@ pub struct Planner<'a, S> {
     in_operation: bool,
     /// Blocks of the shop that come before the approach to the next motion.
     at_approach: Vec<Vec<u8>>,
+    /// End of the last arc in words, and distance of the tool from there in their plane, in units.
+    arc_end: Option<([i64; MAX_AXES], [f64; 2])>,
     /// Name of the operation that begins, and its record, until it is known whether the tool leaves the part before.
     name_due: Option<(Location, Vec<u8>)>,
 }
@@ -142,6 +143,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             linked: false,
             in_operation: false,
             at_approach: Vec::new(),
+            arc_end: None,
             name_due: None,
         }
     }

@@ -71,11 +71,6 @@ pub(crate) fn come_to_name<S: Sink>(planner: &mut Planner<'_, S>, leaves: bool) 
     Ok(())
 }
 
-/// Whether a block is this line, or has this word.
-fn stands(block: &str, word: &str) -> bool {
-    block.trim() == word || block.split_whitespace().any(|one| one == word)
-}
-
 impl<S: Sink> Records<'_, '_, S> {
     fn take(&mut self, event: &Event<'_>) -> Planned {
         if self.between {
@@ -193,7 +188,7 @@ impl<S: Sink> Records<'_, '_, S> {
         };
         let text = String::from_utf8_lossy(text);
         let words = &self.planner.policy.options.standstill;
-        let Some(effect) = words.iter().filter(|word| stands(&text, &word.text)).find_map(|word| word.effect) else {
+        let Some(effect) = words.iter().filter(|word| word.is_in(&text)).find_map(|word| word.effect) else {
             return Ok(());
         };
         let fault = Fault::new(format_args!(
@@ -395,7 +390,7 @@ impl<S: Sink> Records<'_, '_, S> {
         let planner = &mut *self.planner;
         planner.mover.output_mut().cancel_inverse_time()?;
         let words = String::from_utf8_lossy(text);
-        let mut words_of_it = planner.policy.options.standstill.iter().filter(|word| stands(&words, &word.text));
+        let mut words_of_it = planner.policy.options.standstill.iter().filter(|word| word.is_in(&words));
         let stands = words_of_it.next();
         if stands.is_some_and(|word| word.effect.is_none()) {
             let text = format!(

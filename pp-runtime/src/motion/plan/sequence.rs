@@ -177,6 +177,9 @@ impl<S: Sink> Planner<'_, S> {
         if !self.abilities.operation_blocks.at_start {
             return Ok(());
         }
+        if self.abilities.operation_blocks.stop_spindle[0] {
+            self.spindle.stop(self.mover.output_mut())?;
+        }
         self.shop_blocks(&Step::OperationBlocks { at_end: false })
     }
 
@@ -207,6 +210,9 @@ impl<S: Sink> Planner<'_, S> {
             return Ok(());
         }
         self.come_to(SequencePlace::OperationEnd)?;
+        if self.abilities.operation_blocks.stop_spindle[1] {
+            self.spindle.stop(self.mover.output_mut())?;
+        }
         self.mover.output_mut().step(&Step::OperationBlocks { at_end: true })?;
         self.spindle.reset();
         self.coolant.forget();
@@ -260,7 +266,7 @@ impl<S: Sink> Planner<'_, S> {
             number: tool.number,
             offset: tool.offset,
             next: self.tooling.following(tool.number, self.policy.options.preselect_first),
-            speed: spindle.map(|(speed, _)| speed),
+            speed: spindle.map(|spindle| spindle.word),
             radius_delta,
             change,
         })?;

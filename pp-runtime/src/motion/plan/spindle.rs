@@ -7,7 +7,7 @@ use crate::program::{Dwell, Rotation, Spindle as Command};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::output::Output;
-use crate::motion::plan::tool::{LoadedTool, SpindleRequest};
+use crate::motion::plan::tool::{LoadedTool, ResolvedSpindle, SpindleRequest};
 use crate::motion::step::{Sink, Step};
 
 /// The spindle while a program is planned.
@@ -18,6 +18,8 @@ pub(crate) struct SpindleState {
     between: SpindleRequest,
     /// Speed in rev/min and sense of rotation as written; `None` if off or unknown.
     running: Option<(f64, Rotation)>,
+    /// That speed as the CL data or the configuration has it.
+    exact_rev_per_min: f64,
     /// A stop or NC text came after the last SPINDL: it is for the approach.
     held: bool,
     /// It may be on although `running` is unknown: since a stop, or NC text.
@@ -93,6 +95,11 @@ impl SpindleState {
         self.running.map(|(speed, _)| speed)
     }
 
+    /// Speed in rev/min as the CL data or the configuration has it, where the spindle is known to be on.
+    pub(crate) fn exact_speed(&self) -> Option<f64> {
+        self.running.map(|_| self.exact_rev_per_min)
+    }
+
     /// Forgets the state.
     pub(crate) fn forget(&mut self) {
         self.running = None;
@@ -125,12 +132,14 @@ impl SpindleState {
         output: &mut Output<S>,
     ) -> Planned {
         let given = tool.and_then(|tool| policy.set_up.tools.get(&tool.number));
-        let Some((speed, rotation)) = self.request.resolve(given, policy)? else {
+        let Some(ResolvedSpindle { word: speed, exact_rev_per_min, rotation }) = self.request.resolve(given, policy)?
+        else {
             // The spindle does not stop in the part: see `stop_if_pending`.
             self.stop_pending |= self.running.is_some();
             return Ok(());
         };
         (self.stop_pending, self.is_off) = (false, false);
+        self.exact_rev_per_min = exact_rev_per_min;
         let wanted = Some((speed.value(), rotation));
         if policy.options.lift_mm.is_some() {
             // In a dry run the spindle is on only for the planner; a restart writes that it is off.

@@ -31,6 +31,16 @@ pub(crate) struct SpindleRequest {
     pub(crate) rotation: Option<Rotation>,
 }
 
+/// Speed and sense of rotation for a tool.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ResolvedSpindle {
+    /// As it is written.
+    pub(crate) word: Decimal,
+    /// As the CL data or the configuration has it.
+    pub(crate) exact_rev_per_min: f64,
+    pub(crate) rotation: Rotation,
+}
+
 impl LoadedTool {
     /// An empty spindle.
     pub(crate) const NONE: Self = Self { number: 0, length_mm: None, offset: 0, radius_mm: None };
@@ -77,11 +87,7 @@ impl SpindleRequest {
     }
 
     /// Speed and sense of rotation for a tool; `None` if off is requested, or if speed or sense are unknown.
-    pub(crate) fn resolve(
-        &self,
-        given: Option<&Given>,
-        policy: Policy<'_>,
-    ) -> Result<Option<(Decimal, Rotation)>, Fault> {
+    pub(crate) fn resolve(&self, given: Option<&Given>, policy: Policy<'_>) -> Result<Option<ResolvedSpindle>, Fault> {
         let Defaults { speed_rev_per_min: speed, rotation, .. } = policy.options.defaults;
         if self.off {
             return Ok(None);
@@ -117,6 +123,6 @@ impl SpindleRequest {
             )
             .help("give SPINDL/..,CCLW, or correct the tool in the configuration"));
         }
-        Ok(Some((word, rotation)))
+        Ok(Some(ResolvedSpindle { word, exact_rev_per_min: speed, rotation }))
     }
 }

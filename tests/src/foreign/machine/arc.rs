@@ -3,7 +3,7 @@
 use super::super::Control;
 use super::super::axes::LETTERS;
 use super::super::meaning::{Address, Command, Counting};
-use super::super::state::Plane;
+use super::super::state::{Distance, Plane};
 use super::super::trace::Arc;
 use super::{Machine, modes};
 
@@ -28,7 +28,13 @@ pub(super) fn motion(machine: &mut Machine, command: &mut Command, clockwise: bo
     let centre = match (command.take(Address::Radius), pole) {
         (Some(radius), _) => Centre::Radius(radius),
         (None, Some(pole)) => Centre::Point(pole?),
-        (None, None) => Centre::Point(centre(command, plane, start)?),
+        (None, None) => {
+            let absolute = match (machine.control, machine.state.arc_centres) {
+                (Control::LinuxCnc, None) => return Err("an arc, and G90.1 may be in force".to_owned()),
+                (_, centres) => centres == Some(Distance::Absolute),
+            };
+            Centre::Point(centre(command, plane, start, absolute)?)
+        }
     };
     let polar = command.take(Address::PolarAngle);
     let revolutions = command.take(Address::Revolutions).unwrap_or(0.0);
@@ -74,8 +80,8 @@ fn pole(machine: &Machine, plane: Plane) -> Option<Result<[f64; 2], String>> {
     (machine.control == Control::Heidenhain).then(|| Ok([component(first)?, component(second)?]))
 }
 
-/// I J K: distances from the start.
-fn centre(command: &mut Command, plane: Plane, start: [f64; 2]) -> Result<[f64; 2], String> {
+/// I J K: distances from the start, or `absolute`.
+fn centre(command: &mut Command, plane: Plane, start: [f64; 2], absolute: bool) -> Result<[f64; 2], String> {
     let [first, second, normal] = plane.letters().map(|letter| "XYZ".find(letter).unwrap_or_default());
     if command.take(Address::Centre(normal)).is_some() {
         return Err("an arc with a centre outside its plane".to_owned());
@@ -87,7 +93,7 @@ fn centre(command: &mut Command, plane: Plane, start: [f64; 2]) -> Result<[f64; 
     let mut centre = start;
     for (place, word) in centre.iter_mut().zip(words) {
         match word {
-            Some(word) if word.counting == Counting::Absolute => *place = word.value,
+            Some(word) if absolute || word.counting == Counting::Absolute => *place = word.value,
             Some(word) => *place += word.value,
             None => {}
         }

@@ -175,6 +175,7 @@ impl Machine {
                 state.offset_cleared = false;
             }
             Meaning::Distance(distance) => state.distance = Some(distance),
+            Meaning::ArcCentres(distance) => state.arc_centres = Some(distance),
             Meaning::ExactStop => state.path = Some(PathMode::ExactStop),
             Meaning::Continuous => state.path = Some(PathMode::Continuous(command.take(Address::PathTolerance))),
             Meaning::Return(level) => state.return_level = Some(level),

@@ -88,7 +88,7 @@ fn a_state_that_makes_no_sense_is_refused() {
 
 #[test]
 fn a_safety_line_is_complete_or_refused() {
-    let line = "G21 G17 G40 G49 G80 G90 G94 G54";
+    let line = "G21 G17 G40 G49 G80 G90 G91.1 G94 G54";
     motions(&format!("{line}\nG43 H1\nG0 X1"));
     motions(&format!("{line} G64 P0.01\nG43 H1\nG0 X1"));
     for code in line.split(' ').skip(1) {
@@ -99,10 +99,10 @@ fn a_safety_line_is_complete_or_refused() {
 
 #[test]
 fn a_safety_line_leaves_no_linear_position_no_motion_mode_and_no_feed() {
-    let read = motions("G0 X1 Y2 B3\nG1 X2 F10\nG21 G17 G40 G49 G80 G90 G94 G54\nG43 H1\nG0 Z4");
+    let read = motions("G0 X1 Y2 B3\nG1 X2 F10\nG21 G17 G40 G49 G80 G90 G91.1 G94 G54\nG43 H1\nG0 Z4");
     assert_eq!(read[2].state.position, Axes::from([('Z', 4.0), ('B', 3.0)]));
-    assert!(refusal(LINUXCNC, "G0 X1\nG21 G17 G40 G49 G80 G90 G94 G54\nG43 H1\nX2").contains("no motion mode"));
-    let again = "G1 X1 F5\nG21 G17 G40 G49 G80 G90 G94 G54\nG43 H1\nG1 X2";
+    assert!(refusal(LINUXCNC, "G0 X1\nG21 G17 G40 G49 G80 G90 G91.1 G94 G54\nG43 H1\nX2").contains("no motion mode"));
+    let again = "G1 X1 F5\nG21 G17 G40 G49 G80 G90 G91.1 G94 G54\nG43 H1\nG1 X2";
     assert!(refusal(LINUXCNC, again).contains("G1 without F"));
 }
 
@@ -125,7 +125,8 @@ fn a_proof_program_cuts_nothing_with_the_spindle_off() {
 
 #[test]
 fn a_program_can_be_entered_only_where_the_state_is_complete() {
-    let complete = program(LINUXCNC, "G0 X1 Z9\nN2 G21 G17 G40 G49 G80 G90 G94 G54\nG43 H1\nS9 M3\nG0 X2 Z9\nG1 X3 F5");
+    let complete =
+        program(LINUXCNC, "G0 X1 Z9\nN2 G21 G17 G40 G49 G80 G90 G91.1 G94 G54\nG43 H1\nS9 M3\nG0 X2 Z9\nG1 X3 F5");
     let at = |line| Options { entry: Some(Entry { line, tool: Some(1) }), ..Options::of(LINUXCNC) };
     let whole = run(&complete, &Options::of(LINUXCNC)).expect("complete");
     let line = whole.restarts().next().expect("a restart point");

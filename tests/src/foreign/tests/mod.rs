@@ -12,7 +12,7 @@ use super::{Control, Executed, Options, State, Trace, run};
 /// First blocks of a program, up to a tool with its length and a spindle that runs.
 fn start(control: Control) -> &'static str {
     match control {
-        Control::LinuxCnc => "G21 G17 G40 G49 G80 G90 G94 G54\nT1 M6\nG43 H1\nS100 M3\n",
+        Control::LinuxCnc => "G21 G17 G40 G49 G80 G90 G91.1 G94 G54\nT1 M6\nG43 H1\nS100 M3\n",
         Control::Fanuc => "%\nO0001 (PART)\nG21 G17 G40 G49 G80 G90 G94 G54\nT1 M6\nS100 M3\nG43 H1\n",
         Control::Haas => "%\nO00001 (PART)\nG21 G17 G40 G49 G80 G90 G94 G54\nT1 M06\nS100 M03\nG43 H1\n",
         Control::Siemens => "G710 G17 G40 G64 G90 G94 G54\nT1\nM6\nD1\nS100 M3\n",

@@ -86,6 +86,8 @@ pub(in crate::check) enum Duty {
 pub(in crate::check) enum DutyPlace {
     ToolChange,
     Stop,
+    /// A dwell of the CL data.
+    Wait,
     /// Blocks that may be skipped begin or end.
     BlockSkip,
     /// Work is clamped, a chuck, a door or a pallet moves.
@@ -172,7 +174,7 @@ pub(super) const OWED: [Owed; 10] = [
 
 /// What must be so at each place.
 #[rustfmt::skip]
-pub(in crate::check) const NEEDED: [Needed; 49] = [
+pub(in crate::check) const NEEDED: [Needed; 50] = [
     needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
     needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
@@ -190,6 +192,8 @@ pub(in crate::check) const NEEDED: [Needed; 49] = [
     needed(DutyPlace::Stop, Duty::Retracted, stops_retracted, "program stop before the machine has retracted"),
     needed(DutyPlace::Stop, Duty::StateAtEnd, stops_retracted, ""),
     needed(DutyPlace::Stop, Duty::ApproachEnded, always, ""),
+
+    needed(DutyPlace::Wait, Duty::Parking, always, ""),
 
     needed(DutyPlace::BlockSkip, Duty::CutsEnded, always, ""),
     needed(DutyPlace::BlockSkip, Duty::OperationEnded, always, ""),

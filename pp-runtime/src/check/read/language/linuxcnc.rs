@@ -22,12 +22,8 @@ const OWN: &[Row] = &[
     Row::new("G64", Means::Path(PathCode::Continuous), group::PATH, G).takes("PQ"),
     Row::new("G74", Means::Hole(Pattern::FloatingTap { left: true }), group::MOTION, G).needs("R").takes("P"),
     Row::new("G84", Means::Hole(Pattern::FloatingTap { left: false }), group::MOTION, G).needs("R").takes("P"),
-    Row::new(
-        "G91.1",
-        Means::Harmless("centres of arcs count from the start of the arc, as they do anyway"),
-        group::CENTRE,
-        G,
-    ),
+    Row::new("G90.1", Means::ArcCentres { absolute: true }, group::CENTRE, G),
+    Row::new("G91.1", Means::ArcCentres { absolute: false }, group::CENTRE, G),
     Row::new("M7", Means::CoolantOn(coolant::MIST), group::COOLANT, "LinuxCNC 2.9 M-code documentation"),
 ];
 

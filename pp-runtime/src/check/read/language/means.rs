@@ -21,6 +21,10 @@ pub(in super::super) enum Means {
     Distances {
         incremental: bool,
     },
+    /// I J K of arcs.
+    ArcCentres {
+        absolute: bool,
+    },
     FeedMode(FeedMode),
     Side(Side),
     Length(LengthCode),

@@ -31,7 +31,7 @@ pub(super) fn of(
     let centre = match words.radius {
         Some(radius) if words.written == 0 => by_radius(start, stop, radius * machine.unit(), clockwise)?,
         Some(_) => return Err("arc with both a radius and a centre".to_owned()),
-        None => by_centre(words, machine.unit(), start, [u, v, w])?,
+        None => by_centre(words, machine, start, [u, v, w])?,
     };
     let mut sweep = match words.sweep {
         Some(sweep) => sweep,
@@ -52,15 +52,22 @@ pub(super) fn of(
     Ok(ArcMove { centre: all, sweep, by_angle: words.sweep.is_some() })
 }
 
-fn by_centre(words: &ArcWords, unit: f64, start: [f64; 2], [u, v, w]: [usize; 3]) -> Result<[f64; 2], String> {
+fn by_centre(
+    words: &ArcWords,
+    machine: &Interpreter,
+    start: [f64; 2],
+    [u, v, w]: [usize; 3],
+) -> Result<[f64; 2], String> {
     if words.written & (1 << w) != 0 {
         return Err("arc with a centre outside its plane".to_owned());
     }
     if words.written == 0 {
         return Err("arc without a centre or a radius".to_owned());
     }
+    let from_start = |axis: usize| words.absolute & (1 << axis) == 0 && machine.state.absolute_centres != Some(true);
     let coordinate = |axis: usize, from: f64| {
-        if words.absolute & (1 << axis) == 0 { from + words.centre[axis] * unit } else { words.centre[axis] * unit }
+        let centre = words.centre[axis] * machine.unit();
+        if from_start(axis) { from + centre } else { centre }
     };
     Ok([coordinate(u, start[0]), coordinate(v, start[1])])
 }

@@ -467,6 +467,7 @@ impl Interpreter {
         // Words of a program in statements have the unit of its first line, and each its own I.
         if self.facts.form != Form::Statements {
             (state.units, state.incremental, state.plane, state.feed_mode) = (None, None, None, None);
+            state.absolute_centres = None;
             state.side_unknown = true;
         }
         if self.facts.form == Form::Letters {

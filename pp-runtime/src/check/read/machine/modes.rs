@@ -53,6 +53,7 @@ impl Interpreter {
                 (state.side, state.side_unknown) = (Some(side), false);
             }
             Mode::Incremental(on) => state.incremental = Some(on),
+            Mode::AbsoluteCentres(on) => state.absolute_centres = Some(on),
             Mode::ReturnToInitial(initial) => state.to_initial = Some(initial),
             Mode::Shortest(shortest) => (state.shortest, state.shortest_stated) = (shortest, true),
             Mode::CancelsOffset { off } => {
