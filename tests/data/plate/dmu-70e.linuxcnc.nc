@@ -23,7 +23,7 @@
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
-N1 G20 G17 G40 G49 G80 G90 G94 G54 G64 P0.000394
+N1 G20 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.000394
 M9
 G53 G0 Z0
 T3 M6

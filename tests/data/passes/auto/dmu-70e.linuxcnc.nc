@@ -23,7 +23,7 @@
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
 (OPERATION PASSES)
-N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+N1 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
 M9
 G53 G0 Z0
 (T4 ball 8)
