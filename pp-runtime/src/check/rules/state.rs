@@ -91,6 +91,7 @@ impl Rules<'_> {
         let offset_path = required.side != Side::None;
         let side = if offset_path && self.is_mirrored(block) { required.side.across() } else { required.side };
         self.everywhere(state, side, context)
+            .or_else(|| if matches!(block.action, Action::Arc(_)) { self.centres(state) } else { None })
             .or_else(|| if block.action.is_rapid() { inverse_time(state) } else { None })
             .or_else(|| self.frame(block, FrameUse::AsMeant))
             .or_else(|| self.meaning_of_operation(block, required))
@@ -107,7 +108,18 @@ impl Rules<'_> {
         let state = &block.state;
         let on_path = matches!(block.action, Action::Feed | Action::Arc(_));
         let in_plane = state.plane == Some(WorkPlane::Xy) && required.side == Side::None;
-        on_path && in_plane && !state.has_frame() && self.meaning == LinearMeaning::AxisPositions
+        let centres = !self.facts.modal_centres || state.absolute_centres == Some(false);
+        on_path && in_plane && centres && !state.has_frame() && self.meaning == LinearMeaning::AxisPositions
+    }
+
+    /// What is wrong with the centres of arcs, where a program before may have left them absolute.
+    fn centres(&self, state: &State) -> Option<String> {
+        let absolute = state.absolute_centres;
+        let unsure = absolute.is_none() && !self.policy.shop.own_safety;
+        let since = || state.since_lost(absolute.is_none());
+        (self.facts.modal_centres && (unsure || absolute == Some(true))).then(|| {
+            format!("centres of arcs are absolute (G90.1 is active), or G91.1 has not been programmed{}", since())
+        })
     }
 
     /// In a step of the approach; `last`: to the approach point.
@@ -262,13 +274,6 @@ impl Rules<'_> {
         if state.incremental != Some(false) {
             let since = state.since_lost(state.incremental.is_none());
             return Some(format!("incremental mode (G91) is active, or G90 has not been programmed{since}"));
-        }
-        let centres = state.absolute_centres;
-        if self.facts.modal_centres && centres != Some(false) && !(centres.is_none() && self.policy.shop.own_safety) {
-            let since = state.since_lost(centres.is_none());
-            return Some(format!(
-                "centres of arcs are absolute (G90.1 is active), or G91.1 has not been programmed{since}"
-            ));
         }
         let unselected = context.no_plane && self.facts.plane_by_tool_call && state.plane.is_none();
         let of_arc = state.plane.is_some() && state.plane == context.arc_plane;

@@ -142,9 +142,7 @@ fn complete(control: Control, command: &Command) -> Result<(), String> {
         (Meaning::FeedMode(FeedMode::PerMinute), "G94"),
     ];
     let iso = [(Meaning::LengthOff, "G49"), (Meaning::CancelMotion, "G80")];
-    let own = [(Meaning::ArcCentres(Distance::Incremental), "G91.1")];
     let wanted = common.iter().chain(iso.iter().filter(|_| control != Control::Siemens));
-    let wanted = wanted.chain(own.iter().filter(|_| control == Control::LinuxCnc));
     for (meaning, code) in wanted {
         if !command.has(*meaning) {
             return Err(format!("the safety line lacks {code}"));
