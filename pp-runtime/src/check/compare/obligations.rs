@@ -159,19 +159,20 @@ impl Comparison<'_> {
                 let missing = self.shop_lines.end();
                 self.found_all(current, missing);
             }
-            Duty::LengthGuard | Duty::ClampsStated | Duty::Blank => {
-                let Some(required) = self.progress.next().map(|item| Rc::clone(&item.required)) else {
-                    return false;
-                };
-                let fault = match what {
-                    Duty::LengthGuard => self.functions.length_guard(&self.rules, &required, current.block),
-                    Duty::ClampsStated => self.functions.clamps_unstated(&self.rules),
-                    _ => self.functions.blank_fault(&self.rules),
-                };
-                self.found_any(current, fault);
-            }
+            Duty::LengthGuard | Duty::ClampsStated | Duty::Blank => self.compare_first_blocks(what, current),
         }
         false
+    }
+
+    /// What must come before the first approach of an operation: a guard, the clamps, the blank.
+    fn compare_first_blocks(&mut self, what: Duty, current: &Current<'_>) {
+        let Some(required) = self.progress.next().map(|item| Rc::clone(&item.required)) else { return };
+        let fault = match what {
+            Duty::LengthGuard => self.functions.length_guard(&self.rules, &required, current.block),
+            Duty::ClampsStated => self.functions.clamps_unstated(&self.rules),
+            _ => self.functions.blank_fault(&self.rules),
+        };
+        self.found_any(current, fault);
     }
 }
 

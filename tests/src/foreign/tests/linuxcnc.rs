@@ -88,13 +88,24 @@ fn a_state_that_makes_no_sense_is_refused() {
 
 #[test]
 fn a_safety_line_is_complete_or_refused() {
-    let line = "G21 G17 G40 G49 G80 G90 G91.1 G94 G54";
+    let line = "G21 G17 G40 G49 G80 G90 G94 G54";
     motions(&format!("{line}\nG43 H1\nG0 X1"));
     motions(&format!("{line} G64 P0.01\nG43 H1\nG0 X1"));
     for code in line.split(' ').skip(1) {
         refusal(LINUXCNC, &line.replace(&format!(" {code}"), ""));
     }
     refusal(LINUXCNC, &format!("{line} X1"));
+}
+
+#[test]
+fn an_arc_needs_to_know_whether_its_centre_is_absolute() {
+    let arc = |codes: &str, words: &str| {
+        format!("G21 G17 G40 G49 G80 G90 {codes}G94 G54\nG43 H1\nG0 X1 Y0 Z0\nG3 X0 Y1 {words} F9")
+    };
+    motions(&arc("G91.1 ", "I-1 J0"));
+    motions(&arc("G90.1 ", "I0 J0"));
+    assert!(refusal(LINUXCNC, &arc("", "I-1 J0")).contains("G90.1 may be in force"));
+    refusal(LINUXCNC, &arc("G90.1 ", "I-1 J0"));
 }
 
 #[test]
