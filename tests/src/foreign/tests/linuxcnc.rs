@@ -100,12 +100,13 @@ fn a_safety_line_is_complete_or_refused() {
 #[test]
 fn an_arc_needs_to_know_whether_its_centre_is_absolute() {
     let arc = |codes: &str, words: &str| {
-        format!("G21 G17 G40 G49 G80 G90 {codes}G94 G54\nG43 H1\nG0 X1 Y0 Z0\nG3 X0 Y1 {words} F9")
+        let program = program(LINUXCNC, &format!("G0 X1 Y0 Z0\nG3 X0 Y1 {words} F9"));
+        run(&program.replace("G91.1 ", codes), &Options::of(LINUXCNC)).map(|_| ()).map_err(|refused| refused.why)
     };
-    motions(&arc("G91.1 ", "I-1 J0"));
-    motions(&arc("G90.1 ", "I0 J0"));
-    assert!(refusal(LINUXCNC, &arc("", "I-1 J0")).contains("G90.1 may be in force"));
-    refusal(LINUXCNC, &arc("G90.1 ", "I-1 J0"));
+    assert_eq!(arc("G91.1 ", "I-1 J0"), Ok(()));
+    assert_eq!(arc("G90.1 ", "I0 J0"), Ok(()));
+    assert!(arc("", "I-1 J0").is_err_and(|why| why.contains("G90.1 may be in force")));
+    assert!(arc("G90.1 ", "I-1 J0").is_err());
 }
 
 #[test]
