@@ -57,6 +57,7 @@ impl Comparison<'_> {
             self.duties.happens(DutyEvent::SpindleStarts);
         }
         let dwell = self.rules.policy().links.spindle_dwell_s;
+        self.previous.spindle_waits = self.duties.owes(Duty::SpindleDwell);
         if matches!(block.action, Action::Dwell(seconds) if seconds >= dwell - SHORT_SPINDLE_DWELL) {
             self.duties.happens(DutyEvent::SpindleWaited);
         }
@@ -143,7 +144,12 @@ impl Comparison<'_> {
         let begun = (!owes(Duty::Retract) || owes(Duty::RetractAfterShopLine))
             && (!owes(Duty::CompleteState) || self.rules.policy().shop.own_safety);
         let tool = current.block.state.tool;
-        if !begun || tool.is_some() && tool != self.tool_due() {
+        let other = if self.previous.has_changed {
+            tool.is_some() && tool != self.tool_due()
+        } else {
+            self.tool_due().is_some()
+        };
+        if !begun || other {
             self.found(
                 current,
                 "this line comes before the complete state, the tool change or the retract of its operation",

@@ -161,10 +161,14 @@ struct Previous {
     rotation: Option<Rotation>,
     /// It has been programmed since a complete state or a cycle that stops it.
     spindle_stated: bool,
+    /// A dwell is the one after it has started.
+    spindle_waits: bool,
     /// The last tool that the program has changed to as the CL data calls it.
     tool: Option<u32>,
     /// Blocks that may be skipped have begun or ended since.
     unsure_tool: bool,
+    /// The program has changed a tool.
+    has_changed: bool,
 }
 
 /// The lines that have set parts of the state: a wrong value is reported there.

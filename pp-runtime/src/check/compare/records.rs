@@ -45,7 +45,7 @@ impl Comparison<'_> {
             self.found(current, "the program ends at this block of the CL data: nothing after it is executed");
         }
         (0..index).for_each(|_| self.progress.pass());
-        self.ends_operation(current);
+        self.come_to(DutyPlace::Copied, Some(phase), current);
         self.compare_tool(current);
         self.progress.pass();
         if current.block.own.as_ref().is_some_and(|own| own.needs_standstill) {
@@ -90,6 +90,7 @@ impl Comparison<'_> {
             self.skip(lost, phase.here(), current);
         }
         let of_shop = current.block.own.is_some();
+        self.previous.has_changed = true;
         let required = self.tool_due();
         if required == tool {
             (self.previous.tool, self.previous.unsure_tool) = (tool, false);
@@ -207,7 +208,7 @@ impl Comparison<'_> {
             return Ok(());
         }
         let spindle = self.rules.policy().links.spindle_dwell_s;
-        if spindle <= 0.0 || (spindle - seconds).abs() > ROUNDED_DWELL {
+        if !self.previous.spindle_waits || (spindle - seconds).abs() > ROUNDED_DWELL {
             self.found(current, &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"));
         }
         Ok(())

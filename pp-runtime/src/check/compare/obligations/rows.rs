@@ -86,6 +86,8 @@ pub(in crate::check) enum Duty {
 pub(in crate::check) enum DutyPlace {
     ToolChange,
     Stop,
+    /// A block of the CL data that is copied.
+    Copied,
     /// A dwell of the CL data.
     Wait,
     /// Blocks that may be skipped begin or end.
@@ -174,7 +176,7 @@ pub(super) const OWED: [Owed; 10] = [
 
 /// What must be so at each place.
 #[rustfmt::skip]
-pub(in crate::check) const NEEDED: [Needed; 50] = [
+pub(in crate::check) const NEEDED: [Needed; 53] = [
     needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
     needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
@@ -192,6 +194,10 @@ pub(in crate::check) const NEEDED: [Needed; 50] = [
     needed(DutyPlace::Stop, Duty::Retracted, stops_retracted, "program stop before the machine has retracted"),
     needed(DutyPlace::Stop, Duty::StateAtEnd, stops_retracted, ""),
     needed(DutyPlace::Stop, Duty::ApproachEnded, always, ""),
+
+    needed(DutyPlace::Copied, Duty::OperationEnded, always, ""),
+    needed(DutyPlace::Copied, Duty::CutsEnded, always, ""),
+    needed(DutyPlace::Copied, Duty::ClampsOfCuts, always, ""),
 
     needed(DutyPlace::Wait, Duty::Parking, always, ""),
 
