@@ -212,7 +212,10 @@ impl Rules<'_> {
             && !self.needs_no_block(segment, arrival.here, arrival.chords)
             && arrival.here.is_some_and(|here| (here.tip - end.tip).norm() <= 2.0 * rounding.tip_mm);
         let elsewhere = || {
-            let done = self.evenly_done(segment, block, (before, end), along).or(rewinds.then_some(along));
+            let by_tip = |here: &ToolPose| segment.share(here, along, rounding.tip_mm, 0.0).clamp(0.0, 1.0);
+            // Where the tool axis is near its arc, too, the share done before the block is a mean of both.
+            let evenly = |along: f64| self.evenly_done(segment, block, (before, end), along);
+            let done = evenly(along).or_else(|| arrival.here.map(by_tip).and_then(evenly)).or(rewinds.then_some(along));
             done.or_else(|| self.rotated_on_spot(segment, block, end, arrival))
         };
         if !(along - SAME_SHARE..=1.0 + SAME_SHARE).contains(&share)
