@@ -413,6 +413,10 @@ pub struct ShopBlocks {
     pub guards_tip_control: bool,
     /// Rotary positions are compared after each plane call, where the control can.
     pub guards_planes: bool,
+    /// What lies over the work offset is compared after each complete state, where the control can.
+    pub guards_offset: bool,
+    /// Functions of the control that are installed, by their names; `None` if they are not listed.
+    pub functions: Option<Vec<String>>,
     /// Smoothing in cuts.
     pub smoothing: Option<SmoothingLevel>,
     /// Numbers of rough, medium and finish, where the program states them.

@@ -45,7 +45,7 @@ use std::ffi::OsString;
 
 use crate::cl;
 use crate::config;
-use crate::control::Control;
+use crate::control::{self, Control};
 use crate::kinematics::{AnyMachine, digest};
 use crate::post::{Proof, prove};
 use crate::view::drawing;
@@ -105,6 +105,10 @@ fn execute(
         Command::Explain(args) if args.latex => print(&mut streams, |out| explain::latex(machine, out)),
         Command::Explain(args) if args.drawing => print_drawing(machine, &args.proof, &mut streams),
         Command::Explain(args) if args.proof_program => print_proof_program(machine, &args.proof, &mut streams),
+        Command::Explain(args) if args.states => {
+            let control = args.proof.control();
+            print(&mut streams, |out| control::write_table(control, out))
+        }
         Command::Explain(args) if args.codes => {
             let control = args.proof.control();
             print(&mut streams, |out| match crate::check::read::Family::of_control(control.family()) {

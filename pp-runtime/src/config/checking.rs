@@ -127,7 +127,7 @@ impl Config {
             axis_in_plane: tip.tool_posture == ToolPosture::Plane,
             posture_word: control.posture_word,
             tool_axis_vectors: tip.tcp_words == TcpWords::Vectors,
-            own_tip_codes: control.tip_control.is_some(),
+            own_tip_codes: control.tip_control_codes().is_some(),
             axis_names: control.axes.clone(),
             rollover: self.motion.rotaries.wrap.iter().map(|(letter, wrap)| (*letter, rollover(*wrap))).collect(),
             plain_numbers: control.point == Some(false),
@@ -253,6 +253,11 @@ impl Config {
             guards_tip_control: enters_by_axes,
             guards_rotated_axes_only: self.motion.guards.length_guard.is_none() && self.motion.mode_of_all().is_none(),
             guards_planes: self.motion.guards.plane_guard,
+            guards_offset: self.motion.guards.offset_guard,
+            functions: control
+                .functions
+                .as_ref()
+                .map(|names| names.iter().map(|function| function.name().to_owned()).collect()),
             smoothing: smoothing_level(control.smoothing),
             smoothing_levels: control.smoothing_levels,
             smoothing_angle_rad: control.smoothing_angle_rad,
@@ -357,7 +362,7 @@ impl Config {
                 add(off, OwnPlace::Coolant, Some((bit, false)));
             }
         }
-        if let Some([on, off]) = &control.tip_control {
+        if let Some([on, off]) = control.tip_control_codes() {
             add(on, OwnPlace::TipControl { on: true }, None);
             add(off, OwnPlace::TipControl { on: false }, None);
         }

@@ -259,7 +259,7 @@ fn modes_frames_and_postures_are_read() {
         (super::Mode::Tcp, Some(super::TcpFrame::NotTurning))
     );
     assert_eq!((config.motion.tip.tool_posture, config.motion.tip.tcp_confirmed), (super::ToolPosture::Plane, true));
-    assert_eq!(config.control.tip_control, Some(["M428".to_owned(), "M429".to_owned()]));
+    assert_eq!(config.control.tip_control_codes(), Some(&["M428".to_owned(), "M429".to_owned()]));
     assert_eq!(config.control.swivel_data.as_deref(), Some("TABLE"));
     assert_eq!(faults("mode = 'tpc'\n").len(), 1);
     assert_eq!(faults("[control]\ntip_control = ['M428']\n").len(), 1);

@@ -5,7 +5,7 @@ use crate::keys::list;
 use crate::kinematics::{AnyMachine, Side};
 use crate::motion::{
     self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PlaneAbility, Registers, StretchMode, ThreadFeed,
-    TipAbility, TipStart, Transition, UsableModes, rotaries_of,
+    TipAbility, TipStart, Transition, UsableModes, Wrap, rotaries_of,
 };
 use crate::program::{Coolant, Units};
 use crate::set_up::LengthMode;
@@ -93,6 +93,10 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     if codes.length.call == LengthCall::WithTool && demands.set_up.length_mode == LengthMode::Gauge {
         faults.push(format!("{title} activates the tool length in every tool call: set `length_mode = \"tip\"`"));
     }
+    let by_sign = demands.motion.rotaries.wrap.iter().filter(|(_, wrap)| **wrap == Wrap::Sign);
+    faults.extend(by_sign.filter(|_| codes.shortest_word.is_some()).map(|(letter, _)| {
+        format!("{title} takes no direction from the sign of a rotary word: set `wrap.{letter} = \"0..360\"`")
+    }));
     if demands.motion.cycles.thread_feed == ThreadFeed::PerRevolution && codes.per_revolution.is_empty() {
         faults.push(format!("threads of {title} take their pitch in any case: leave `cycles.thread_feed` out"));
     }
@@ -102,7 +106,7 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let of_shop = clamps
         .flat_map(|(letter, codes)| named(&format!("clamp.{letter}"), &[codes.on.clone(), codes.off.clone()]))
         .chain(options.coolant.iter().flatten().flat_map(|codes| named("control.coolant", codes)))
-        .chain(options.tip_control.iter().flat_map(|codes| named("control.tip_control", codes)));
+        .chain(options.tip_control_codes().into_iter().flat_map(|codes| named("control.tip_control", codes)));
     for (key, code) in of_shop {
         let known = || STANDARD_M.iter().chain(codes.own_m);
         let own = m_function(&code).and_then(|number| known().find(|(own, _)| *own == number));
@@ -251,7 +255,7 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
     if !demands.options.has(ControlFunction::TipControl) {
         return None;
     }
-    let configured = demands.options.tip_control.is_some();
+    let configured = demands.options.tip_control_codes().is_some();
     let start = |tip: &TipControlCodes| match tip.with_length {
         _ if configured => TipStart::Configured,
         None => TipStart::Alone,
@@ -390,6 +394,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         retract_keeps_length: codes.length.call == LengthCall::WithZ
             && matches!(demands.options.retract_form(codes), Some(RetractForm::ReferencePosition { .. })),
         guards_planes: demands.motion.guards.plane_guard && control.compares_rotary_positions(),
+        guards_offset: demands.motion.guards.offset_guard && !control.offset_guard(1).is_empty(),
         skips_guards: codes.skips_guards,
         operation_blocks: OperationBlocks {
             at_start: !demands.options.program.operation_start.is_empty(),

@@ -70,12 +70,12 @@ pub fn take_out_lacking(
     }
     let setting = codes.tip.as_ref().map_or("", |tip| tip.posture_setting[0]);
     if add(
-        !options.posture_word && (setting.is_empty() || options.tip_control.is_some()),
+        !options.posture_word && (setting.is_empty() || options.tip_control_codes().is_some()),
         "has no setting that takes the place of the word of the tool posture: `control.posture_word = false` is left out",
     ) {
         options.posture_word = true;
     }
-    let own_tip_codes = options.tip_control.is_some();
+    let own_tip_codes = options.tip_control_codes().is_some();
     options.states.retain(|key, _| {
         let has = ControlState::of(codes.name).any(|state| state.key == key);
         !add(!has, &format!("has no state `{key}`: it is left out of `control.states`"))
@@ -126,6 +126,9 @@ impl ControlFunction {
             Self::TipControl => codes.tip.is_some() || own_tip_codes,
             Self::Planes => codes.plane.is_some(),
             Self::DynamicOffset => codes.tip.as_ref().is_some_and(|tip| tip.dynamic_offset.is_some()),
+            Self::Scaling | Self::Rotation | Self::Polar | Self::SettingError | Self::Smoothing => {
+                codes.cancels.iter().any(|cancel| cancel.of == self)
+            }
         }
     }
 }

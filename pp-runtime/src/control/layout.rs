@@ -25,8 +25,8 @@ pub struct Layout {
     pub path_tolerance: f64,
     /// Name of the program in the CL data.
     pub name: Vec<u8>,
-    /// The code for shortest-path rotation is in force.
-    pub shortest_path: bool,
+    /// Axes that the control moves to every angle by the shortest path.
+    pub shortest_axes: Vec<char>,
     /// Stretches of the program are under tip control.
     pub tip_control: bool,
     /// The program has tilted planes: for stretches, or where tip control begins.
@@ -77,7 +77,7 @@ impl Layout {
             work_offset: demands.set_up.work_offset.clone(),
             path_tolerance: demands.options.path_tolerance_mm / units.in_mm(),
             name: name.to_vec(),
-            shortest_path: demands.motion.rotaries.wrap.values().any(|wrap| *wrap != Wrap::Sign),
+            shortest_axes: wrapped(demands).collect(),
             tip_control: modes.has(StretchMode::Tcp),
             planes: modes.has(StretchMode::Plane) || enters_by_plane,
             dynamic_offset,
@@ -92,6 +92,12 @@ impl Layout {
             program: demands.options.program.clone(),
         }
     }
+}
+
+/// Axes that the control moves to every angle by the shortest path.
+fn wrapped(demands: Demands<'_>) -> impl Iterator<Item = char> {
+    let wrap = demands.motion.rotaries.wrap.iter();
+    wrap.filter(|(_, wrap)| **wrap != Wrap::Sign).map(|(letter, _)| *letter)
 }
 
 /// Names of tools.

@@ -5,7 +5,7 @@
 //!
 //! - `dialects`: the table of each control, based on [`Spellings::ISO`] where it writes ISO blocks, and the list
 //!   [`CONTROLS`].
-//! - `states`: settings and parameters of controls that no word states.
+//! - `states`: the states of each control that change the meaning of words, and how programs deal with them.
 //! - [`template`]: blocks with named fields, used in tables and configurations.
 //! - [`ControlOptions`]: settings of a job for its control; [`unfit`] lists those that the control does not support,
 //!   [`take_out_lacking`] leaves those out that a program does without, and [`abilities`] states which functions of the control the planner may use. [`Layout`] is the part that the
@@ -47,6 +47,6 @@ pub use lacking::take_out_lacking;
 pub use layout::Layout;
 pub use options::{
     BlockNumbers, ControlFunction, ControlOptions, Demands, LineEffect, Messages, ProgramBlocks, ProgramHeader,
-    RetractMethod,
+    RetractMethod, TipControlSwitch,
 };
-pub(crate) use states::{ControlState, StepCycles};
+pub(crate) use states::{ControlState, ProgramUses, StepCycles, conditions, write_table};

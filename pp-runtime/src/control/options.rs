@@ -90,11 +90,15 @@ options! {
         /// Whole numbers end with a decimal point.
         point: Option<bool> = None, key("control.point", YesNo, "true");
         /// Functions of the control that are installed: "tip_control", "planes", "dynamic_offset" (Haas: G254). All are
-        /// options at many makers. Without this key it has those that it can have.
+        /// options at many makers. Without this key it has those three, as far as it can have them. A program ends a function
+        /// at each restart point where it is installed. Those of "scaling", "rotation", "polar", "setting_error" and "smoothing" are ended
+        /// where this list has them only: their codes raise an alarm on a control without them, and the header names the condition.
         functions: Option<Vec<ControlFunction>> = None,
             key("control.functions", ListOf(OneOf(&ControlFunction::NAMES)), "[\"tip_control\", \"planes\"]");
-        /// Codes that switch tip control on and off in mode "tcp".
-        tip_control: Option<[String; 2]> = None, key("control.tip_control", OnAndOff, "[\"M428\", \"M429\"]");
+        /// Codes that switch tip control on and off in mode "tcp", or "none" where the control has no kinematics with tip control.
+        /// LinuxCNC may begin in such kinematics: with codes a program switches them off at each restart point, and without this key
+        /// "none" is assumed.
+        tip_control: Option<TipControlSwitch> = None, key("control.tip_control", TipControlKey, "[\"M428\", \"M429\"]");
         /// Name of the swivel data record of CYCLE800.
         swivel_data: Option<String> = None, key("control.swivel_data", OneLine, "\"TABLE\"");
         /// Write the word of `tool_posture` where tip control is switched on (Fanuc: P of G43.4, an option of the control).
@@ -243,19 +247,33 @@ pub enum ControlFunction {
     Planes,
     /// Dynamic work offset: the zero of the words follows the table.
     DynamicOffset,
+    /// Scaling of the coordinates.
+    Scaling,
+    /// Rotation of the coordinates.
+    Rotation,
+    /// Polar coordinates.
+    Polar,
+    /// Compensation of the place of the part (Fanuc: workpiece setting error).
+    SettingError,
+    /// Smoothing of the path.
+    Smoothing,
 }
 
 impl ControlFunction {
-    const NAMES: [(&'static str, Self); 3] =
-        [("tip_control", Self::TipControl), ("planes", Self::Planes), ("dynamic_offset", Self::DynamicOffset)];
+    const NAMES: [(&'static str, Self); 8] = [
+        ("tip_control", Self::TipControl),
+        ("planes", Self::Planes),
+        ("dynamic_offset", Self::DynamicOffset),
+        ("scaling", Self::Scaling),
+        ("rotation", Self::Rotation),
+        ("polar", Self::Polar),
+        ("setting_error", Self::SettingError),
+        ("smoothing", Self::Smoothing),
+    ];
 
     /// Name in a file.
     pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::TipControl => "tip_control",
-            Self::Planes => "planes",
-            Self::DynamicOffset => "dynamic_offset",
-        }
+        Self::NAMES.iter().find(|(_, function)| *function == self).map_or("", |(name, _)| name)
     }
 }
 
@@ -279,7 +297,15 @@ impl ControlOptions {
         }
     }
 
-    /// Whether a function of the control is installed.
+    /// Codes that switch tip control on and off.
+    pub(crate) fn tip_control_codes(&self) -> Option<&[String; 2]> {
+        match &self.tip_control {
+            Some(TipControlSwitch::Codes(codes)) => Some(codes),
+            Some(TipControlSwitch::None) | None => None,
+        }
+    }
+
+    /// Whether a function of the control is installed, as far as is known.
     pub(crate) fn has(&self, function: ControlFunction) -> bool {
         self.functions.as_ref().is_none_or(|installed| installed.contains(&function))
     }
@@ -462,6 +488,45 @@ impl KeyKind for OnAndOff {
 
     fn schema(&self, _scope: &KeyScope) -> Json {
         json!({ "type": "array", "items": { "type": "string" }, "minItems": 2, "maxItems": 2 })
+    }
+}
+
+/// How tip control is switched, where the codes are those of the machine.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum TipControlSwitch {
+    /// There is none: linear words are positions of the axes at any time.
+    None,
+    /// Codes that switch it on and off.
+    Codes([String; 2]),
+}
+
+/// Value of a key: two codes, or "none".
+#[derive(Debug, Clone, Copy)]
+struct TipControlKey;
+
+impl KeyKind for TipControlKey {
+    type Value = TipControlSwitch;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<TipControlSwitch> {
+        match value.get_ref().as_str() {
+            Some("none") => Some(TipControlSwitch::None),
+            Some(_) => {
+                r.fault(value.span(), "expected two codes, [on, off], or \"none\"", None);
+                None
+            }
+            None => OnAndOff.read(r, value).map(TipControlSwitch::Codes),
+        }
+    }
+
+    fn print(&self, switch: &TipControlSwitch) -> String {
+        match switch {
+            TipControlSwitch::None => "\"none\"".to_owned(),
+            TipControlSwitch::Codes(codes) => OnAndOff.print(codes),
+        }
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        json!({ "anyOf": [{ "const": "none" }, OnAndOff.schema(scope)] })
     }
 }
 

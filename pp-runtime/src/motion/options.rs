@@ -181,6 +181,10 @@ options! {
         /// Compare the positions of the rotary axes with those of the program after the control has tilted a plane (Siemens,
         /// Heidenhain; the variables of Fanuc and Haas have positions by numbers of axes, which are the machine builder's).
         plane_guard: bool = true, key("plane_guard", YesNo);
+        /// Stop at each restart point if a rotation, a scale, a mirror or a shift that lasts lies over the work offset (LinuxCNC: G92, G52
+        /// and the R of the offset; Siemens: all frames; Heidenhain: the basic rotation). Without it the header has the
+        /// condition. Set false where such a rotation is meant: the program does not know it.
+        offset_guard: bool = true, key("offset_guard", YesNo);
         /// Largest spindle speed, rev/min. Without it speeds are not checked.
         spindle_max_rev_per_min: Option<f64> = None, key("spindle_max", Measure::plain(Bound::Positive), "12000");
         /// Lowest Z of the tool tip, in the part as mounted on the table. Without it depths are not checked.

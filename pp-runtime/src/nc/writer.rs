@@ -192,6 +192,15 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// Adds text to the last word.
+    pub fn attach(&mut self, text: &str) {
+        if self.end > self.block {
+            self.end -= 1;
+            self.append(text.as_bytes());
+            self.append(b" ");
+        }
+    }
+
     /// Writes a word: `X` or `C1=`, and its number.
     pub fn word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
         self.words([(&WordForm::new(prefix, number.decimals, numerals), number.units)]);

@@ -8,8 +8,8 @@ use std::io;
 use crate::cl::{ArcVote, Dialect, FrameVote, Insert};
 use crate::config::Config;
 use crate::control::{
-    self, BlankWords, Control, ControlState, CycleForm, Encoder, LengthGuard, LinearRapids, ProgramHeader, RetractForm,
-    StepCycles,
+    self, BlankWords, Control, ControlState, CycleForm, Encoder, LengthGuard, LinearRapids, ProgramHeader, ProgramUses,
+    RetractForm, StepCycles, TipControlSwitch,
 };
 use crate::kinematics::{AnyMachine, Axis, AxisKind, DimensionKind, Limits, Side, Sign, digest};
 use crate::motion::{
@@ -134,6 +134,10 @@ pub(crate) fn assumptions(
         let per_inch = abilities.feed_per_inch;
         list.push(format!("F is in 1/{per_inch} inch/min, in cycles (Q206) as well"));
     }
+    let rotary = machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held);
+    if rotary && control.spellings().may_begin_in_tip_control && config.control.tip_control.is_none() {
+        list.push("the control has no kinematics with tip control in force, from its start (`control.tip_control`)".to_owned());
+    }
     for state in states(control, config, survey).filter(|state| !config.control.states.contains_key(state.key)) {
         list.push(format!("{} is {}", state.title(), state.needed));
     }
@@ -159,7 +163,9 @@ pub(crate) fn assumptions(
     for (letter, wrap) in &config.motion.rotaries.wrap {
         match wrap {
             Wrap::Positive | Wrap::Symmetric => {
-                list.push(format!("{letter} rolls over, and the control moves it to every angle by the shortest path"));
+                let note = control.spellings().shortest_note;
+                let note = if note.is_empty() { String::new() } else { format!(": {note}") };
+                list.push(format!("{letter} rolls over, and the control moves it to every angle by the shortest path{note}"));
             }
             Wrap::Sign => {
                 list.push(format!("{letter} rolls over, and the control rotates it in the direction of the sign"))
@@ -237,6 +243,26 @@ pub(crate) fn set_up(machine: &dyn AnyMachine, control: &dyn Control, config: &C
         list.push(
             "length mode: linear words are coordinates of the gauge line; no length offset may be active".to_owned(),
         );
+    }
+    list
+}
+
+/// Conditions on the states of the control, one sentence each.
+pub(crate) fn conditions(machine: &dyn AnyMachine, control: &dyn Control, config: &Config, survey: &Survey) -> Vec<String> {
+    let rotary = machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held);
+    let native = config.motion.cycles.output == CycleOutput::Native && config.motion.lift_mm.is_none();
+    let uses = ProgramUses {
+        rotary,
+        tip_control: survey.modes.has(StretchMode::Tcp),
+        planes: survey.modes.has(StretchMode::Plane),
+        compensation: config.motion.compensation.is_some(),
+        cycles: native && survey.holes,
+        offset_guard: control::abilities(control, config.demands()).guards_offset,
+        length_guard: config.motion.guards.length_guard == Some(true),
+    };
+    let mut list = control::conditions(control, &config.control, &uses);
+    if rotary && config.control.tip_control == Some(TipControlSwitch::None) {
+        list.push("the control has no kinematics with tip control in force, from its start".to_owned());
     }
     list
 }
@@ -475,6 +501,7 @@ impl Header<'_> {
             )
         });
         lines.extend(self.machine_lines(tolerances));
+        lines.extend(conditions(self.machine, self.job.control, config, self.survey).into_iter().map(|condition| format!("CONDITION {condition}")));
         lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
         lines
     }

@@ -118,6 +118,8 @@ pub struct Report {
     pub rotary_end: Vec<(char, f64)>,
     /// Assumptions: settings that were not given, one sentence each.
     pub assumptions: Vec<String>,
+    /// Conditions on the states of the control, one sentence each.
+    pub conditions: Vec<String>,
     /// Linear axes whose limits were not checked, and a retract whose way was not compared, with the reason; empty if all were.
     pub unchecked: Vec<String>,
     /// Tool numbers in ascending order.
@@ -148,6 +150,7 @@ impl Report {
             set_up: header::set_up(machine, job.control, job.config, survey),
             reading: header::reading(job.config, survey),
             assumptions: header::assumptions(machine, job.control, job.config, survey),
+            conditions: header::conditions(machine, job.control, job.config, survey),
             ..Self::default()
         };
         survey.diagnostics.iter().for_each(|diagnostic| report.fault(diagnostic.clone()));
@@ -170,15 +173,20 @@ impl Report {
     /// The summary that is shown after posting, line by line.
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
-        self.summary_with(&time::lines(&self.times))
+        let conditions = match self.conditions.len() {
+            0 => None,
+            count => Some(format!("{} on the control: in the header and on the set-up sheet", counted(count as u64, "condition"))),
+        };
+        self.summary_with(&time::lines(&self.times), conditions.as_slice())
     }
 
-    /// The same without machining times, for a document that has those of the executed program.
+    /// The same with the conditions on the control, and without machining times, for a document that has those of the executed program.
     pub(crate) fn summary_without_times(&self) -> Vec<String> {
-        self.summary_with(&time::speeds(&self.times))
+        let conditions: Vec<String> = self.conditions.iter().map(|condition| format!("condition: {condition}")).collect();
+        self.summary_with(&time::speeds(&self.times), &conditions)
     }
 
-    fn summary_with(&self, times: &[String]) -> Vec<String> {
+    fn summary_with(&self, times: &[String], conditions: &[String]) -> Vec<String> {
         let mut lines = vec![format!(
             "{}, {}, {}, {}, {} with inverse-time feed",
             counted(self.statistics.motions, "motion"),
@@ -193,6 +201,7 @@ impl Report {
         lines.extend((!self.course.is_empty()).then(|| self.course.clone()));
         lines.extend(self.rotary_end_text());
         lines.extend((!self.course.is_empty()).then(|| format!("{}; mode {}", self.stretches.summary(), self.modes)));
+        lines.extend_from_slice(conditions);
         lines.extend(self.assumptions.iter().map(|assumption| format!("assumed: {assumption}")));
         lines.extend(self.unchecked.iter().cloned());
         if self.statistics.deviations > 0 {

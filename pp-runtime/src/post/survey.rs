@@ -79,6 +79,8 @@ pub(crate) struct Survey {
     pub(crate) names: OperationNames,
     /// Numbers of the operations to be posted, `None` for all; a sentence if they do not exist.
     pub(crate) selected: Option<Result<RangeInclusive<u64>, String>>,
+    /// There are holes.
+    pub(crate) holes: bool,
     /// Holes in steps.
     pub(crate) step_cycles: StepCycles,
     /// First motion whose tool axis is not that of the machine with its rotary axes at zero.
@@ -267,6 +269,7 @@ impl Surveyor {
             }
             ItemAction::Hole { hole, index } => {
                 let [over, inside] = hole_extent(hole);
+                self.survey.holes = true;
                 self.survey.step_cycles.add(&hole.drilling);
                 self.begin(index);
                 self.note_axis(item.at, &hole.top);

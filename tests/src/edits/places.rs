@@ -122,6 +122,7 @@ pub fn name_of(effect: &Effect) -> &'static str {
         Effect::ToolChange(_) => "tool",
         Effect::Guard { .. } => "guard",
         Effect::PlaneGuard { .. } => "plane guard",
+        Effect::OffsetGuard => "offset guard",
         Effect::Dwell(_) => "dwell",
         Effect::Stop => "stop",
         Effect::OptionalStop => "optional stop",

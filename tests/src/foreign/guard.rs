@@ -3,12 +3,13 @@
 //!
 //! | control | form |
 //! |---|---|
-//! | LinuxCNC | `o1 if [..]`, `(abort, ..)`, `o1 endif` |
+//! | LinuxCNC | `o1 if [..]`, `(abort, ..)`, `o1 endif`, for a length, or for `#5210` and the rotation of the offset in force |
 //! | Fanuc, Haas | `IF [ABS[#..+#..-L] GT t] THEN #3000=101 (..)` |
 //! | Siemens | `IF ABS($P_TOOLL[1]-L)>t`, or `IF ABS($P_TOOLR)>t` for a radius; a message, M0, M30, `ENDIF` |
-//! | | or `IF ABS(SIN(($AA_IW[B]-30)/2))+..>t` for positions |
+//! | | or `IF ABS(SIN(($AA_IW[B]-30)/2))+..>t` for positions, or rotation, scale and mirror of `$P_ACTFRAME` |
 //! | Heidenhain | `FN 18` twice, `FN 1`, `FN 12` twice, `LBL "OFF1"`, a comment, `FN 14`, `LBL "FITS1"` |
 //! | | `FN 20`, `FN 18` for each axis, `QL3 = ABS ( SIN ( ( QL1 - 30 ) / 2 ) ) + ..`, `FN 12`, a comment, `FN 14`, `LBL` |
+//! | | `FN 18` of ID210 NR1, `FN 9`, a comment, `FN 14`, `LBL` |
 //!
 //! A guard is whole, or refused: a program whose guard lacks a line, or compares something else, does something unknown.
 
@@ -47,6 +48,8 @@ enum Due {
     Position(Vec<char>),
     /// `FN 12: IF +QL3 LT +0.0009 GOTO LBL "PLANE1"`.
     Jump,
+    /// `FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET1"`.
+    Unrotated,
 }
 
 /// What became of a line.
@@ -120,6 +123,7 @@ impl Open {
             (Some(Due::Low), Content::Condition(text)) => self.low(text).is_some(),
             (Some(Due::Position(read)), Content::Condition(text)) => self.position(text, read).is_some(),
             (Some(Due::Jump), Content::Condition(text)) => self.jump(text).is_some(),
+            (Some(Due::Unrotated), Content::Condition(text)) => self.unrotated(text).is_some(),
             (Some(Due::High(low, label)), Content::Condition(text)) => self.high(text, low, &label).is_some(),
             _ => false,
         };
@@ -171,6 +175,13 @@ impl Open {
         }
         self.effect = Effect::PlaneGuard { axes, largest: f64::NAN };
         self.due.push(Due::Jump);
+        Some(())
+    }
+
+    fn unrotated(&mut self, text: &str) -> Option<()> {
+        let label = text.strip_prefix("FN 9: IF +QL1 EQU +0 GOTO LBL \"")?.strip_suffix('"')?;
+        self.due =
+            vec![Due::Line(format!("LBL \"{label}\"")), Due::Line("FN 14: ERROR = 102".to_owned()), Due::Comment];
         Some(())
     }
 
@@ -232,6 +243,9 @@ fn number(text: &str) -> Option<f64> {
 fn linuxcnc(text: &str) -> Option<(Effect, Vec<Due>)> {
     let (label, condition) = text.split_once(" if ")?;
     label.strip_prefix('o')?.parse::<u32>().ok()?;
+    if condition == "[[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]" {
+        return Some((Effect::OffsetGuard, vec![Due::Line(format!("{label} endif")), Due::Abort]));
+    }
     let compared = condition.strip_prefix("[[ABS[#5403 - ")?.split(']').next()?;
     let allowed = condition.rsplit(" GT ").next()?.strip_suffix("]]")?;
     let whole = format!("[[ABS[#5403 - {compared}] GT {allowed}] AND [ABS[[#5403 * 25.4] - {compared}] GT {allowed}]]");
@@ -256,7 +270,9 @@ fn alarm(control: Control, text: &str) -> Option<(Effect, Vec<Due>)> {
 }
 
 fn siemens(text: &str) -> Option<(Effect, Vec<Due>)> {
-    let effect = if let Some(positions) = text.strip_prefix("IF ").and_then(positions) {
+    let effect = if text.strip_prefix("IF ").is_some_and(is_frame) {
+        Effect::OffsetGuard
+    } else if let Some(positions) = text.strip_prefix("IF ").and_then(positions) {
         positions
     } else if let Some(allowed) = text.strip_prefix("IF ABS($P_TOOLR)>") {
         // A radius that is compared with nothing.
@@ -269,10 +285,26 @@ fn siemens(text: &str) -> Option<(Effect, Vec<Due>)> {
     Some((effect, due))
 }
 
+/// `(ABS($P_ACTFRAME[X,RT])+..+ABS($P_ACTFRAME[Z,SC]-1)>t) OR $P_ACTFRAME[X,MI] OR ..`: nine components of the chain of all frames.
+fn is_frame(text: &str) -> bool {
+    let Some((sum, mirrors)) = text.strip_prefix('(').and_then(|text| text.split_once(") OR ")) else { return false };
+    let Some((terms, largest)) = sum.split_once('>') else { return false };
+    let axes = ["X", "Y", "Z"];
+    let wanted = axes.map(|axis| format!("ABS($P_ACTFRAME[{axis},RT])"));
+    let scales = axes.map(|axis| format!("ABS($P_ACTFRAME[{axis},SC]-1)"));
+    let mirrored = axes.map(|axis| format!("$P_ACTFRAME[{axis},MI]"));
+    terms.split('+').eq(wanted.iter().chain(&scales).map(String::as_str))
+        && mirrors.split(" OR ").eq(mirrored.iter().map(String::as_str))
+        && number(largest).is_some_and(|largest| largest > 0.0 && largest < 2e-3)
+}
+
 /// `FN 18: SYSREAD QL1 = ID50 NR1 IDX5` reads the length of tool 5; its wear and their sum follow.
 fn heidenhain(text: &str) -> Option<(Effect, Vec<Due>)> {
     if text == "FN 20: WAIT FOR SYNC" {
         return Some((Effect::Modal, vec![Due::Position(Vec::new())]));
+    }
+    if text == "FN 18: SYSREAD QL1 = ID210 NR1" {
+        return Some((Effect::OffsetGuard, vec![Due::Unrotated]));
     }
     // Either may be read first.
     let [length, wear] = ["FN 18: SYSREAD QL1 = ID50 NR1 IDX", "FN 18: SYSREAD QL2 = ID50 NR4 IDX"];

@@ -3,7 +3,7 @@
 //! A table turns the text of its control into a [`Command`]; the machine executes commands and knows no text.
 
 use super::state::{
-    Compensation, Cycle, Distance, FeedMode, Interpolation, MotionMode, Plane, ReturnLevel, RotaryPath, Spindle,
+    Compensation, Cycle, Distance, FeedMode, Interpolation, LeftOn, MotionMode, Plane, ReturnLevel, RotaryPath, Spindle,
     TiltedPlane, Units, VectorFrame, WorkOffset,
 };
 
@@ -94,6 +94,8 @@ pub enum Meaning {
     Call,
     /// CC: the pole of the arcs that follow.
     Pole,
+    /// What a program before may have left on is off.
+    Ends(LeftOn),
     /// Codes of the shop that change no state known here.
     Idle,
 }
@@ -162,6 +164,8 @@ pub enum Group {
     Call,
     /// `State::pole`.
     Pole,
+    /// `State::left`.
+    Left(LeftOn),
     /// No state.
     None,
 }
@@ -195,6 +199,7 @@ impl Meaning {
             Self::Stop | Self::OptionalStop | Self::End => Group::Stop,
             Self::ModalCall | Self::Call => Group::Call,
             Self::Pole => Group::Pole,
+            Self::Ends(left) => Group::Left(left),
             Self::RigidTapping | Self::Idle => Group::None,
         }
     }

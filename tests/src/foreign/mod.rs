@@ -94,6 +94,8 @@ pub struct Entry {
 pub struct Options {
     /// The control.
     pub control: Control,
+    /// State that was left before the program.
+    pub before: State,
     /// Where the program is entered; its first block without it.
     pub entry: Option<Entry>,
     /// Words are coordinates of the gauge line: no length compensation may be active.
@@ -120,6 +122,7 @@ impl Options {
     pub fn of(control: Control) -> Self {
         Self {
             control,
+            before: State::default(),
             entry: None,
             gauge_line: false,
             dry: false,
@@ -282,8 +285,10 @@ impl Run<'_> {
             }
             Outcome::Complete(line, effect, register) => {
                 if self.reached {
-                    if matches!(effect, Effect::Guard { .. }) {
-                        self.machine.guard(register)?;
+                    match effect {
+                        Effect::Guard { .. } => self.machine.guard(register)?,
+                        Effect::OffsetGuard => self.machine.offset_guard()?,
+                        _ => {}
                     }
                     self.push(line, None, effect, Axes::default(), false);
                 }

@@ -254,6 +254,25 @@ pub struct Cycle {
 /// Numbers of smoothing: P Q E of G5.1 and G187, arguments of CYCLE832, T, HSC-MODE and TA of cycle 32.
 pub const SMOOTHING: usize = 5;
 
+/// A state that a program before may have left on, and that changes what words mean.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LeftOn {
+    /// X is a diameter: G7 of LinuxCNC.
+    Diameter,
+    /// S is a cutting speed: G96 of LinuxCNC.
+    CuttingSpeed,
+    /// A programmed shift, rotation, scale or mirror of Siemens.
+    Shift,
+    /// G51.
+    Scaling,
+    /// G68 of Haas.
+    Rotation,
+    /// G16.
+    Polar,
+    /// G54.4 P1.
+    SettingError,
+}
+
 /// Modal state of a control.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct State {
@@ -303,6 +322,10 @@ pub struct State {
     pub tilt: Option<Option<TiltedPlane>>,
     /// The zero of the words follows the table (G254).
     pub dynamic_offset: bool,
+    /// What a program before has left on.
+    pub left: Option<LeftOn>,
+    /// A rotation lies over the work offset.
+    pub rotated_offset: bool,
     /// Canned cycle that is defined or called modally.
     pub cycle: Option<Cycle>,
     /// Return level of canned cycles.

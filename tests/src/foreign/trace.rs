@@ -65,6 +65,8 @@ pub enum Effect {
         /// Largest sum.
         largest: f64,
     },
+    /// The program stops if a rotation, a scale, a mirror or a shift that lasts lies over the work offset.
+    OffsetGuard,
     /// A wait, s.
     Dwell(f64),
     /// M0.

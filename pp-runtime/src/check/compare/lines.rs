@@ -183,6 +183,9 @@ impl Comparison<'_> {
         if let Some(part) = block.blank {
             self.functions.blank(part);
         }
+        if block.offset_guard {
+            self.duties.happens(DutyEvent::OffsetGuard);
+        }
         if let Some(guard) = &block.plane_guard {
             if phase.is_retracted() {
                 self.duties.happens(DutyEvent::PlaneGuard);

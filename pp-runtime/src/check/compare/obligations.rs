@@ -9,13 +9,16 @@ mod rows;
 use std::rc::Rc;
 
 use super::super::policy::CheckPolicy;
-use super::super::read::stated;
+use super::super::read::{Form, stated};
 use super::super::rules::fault_at_end;
 use super::phase::Phase;
 use super::station::Station;
 use super::{Comparison, Current, plane_guard};
 pub(super) use rows::{Duty, DutyEvent, DutyPlace};
 use rows::{NEEDED, OWED, Owed};
+
+const OFFSET_GUARD: &str = "the guard of the work offset is missing after the restart point: a rotation that lies over it would rotate \
+                            the part (`offset_guard`)";
 
 /// What is owed.
 #[derive(Debug, Clone, Copy, Default)]
@@ -138,6 +141,11 @@ impl Comparison<'_> {
                 self.found_any(current, missing);
             }
             Duty::PlaneGuard => {}
+            // The control executes its IF whatever the block skip switch is set to, so it has come before.
+            Duty::OffsetGuard if !self.rules.facts().offset_guard => {}
+            Duty::OffsetGuard if current.block.skippable && self.rules.facts().form == Form::Keywords => {}
+            Duty::OffsetGuard if self.duties.take(what) => self.found(current, OFFSET_GUARD),
+            Duty::OffsetGuard => {}
             Duty::StateAtEnd => self.found_state(current, fault_at_end(current.block)),
             Duty::AtChangePosition if !at_part && !self.duties.owes(Duty::Retract) => {
                 self.is_at_station(Station::Change, current)
@@ -209,6 +217,7 @@ mod tests {
             | Duty::SpindleAgain
             | Duty::TipControlOff
             | Duty::PlaneGuard
+            | Duty::OffsetGuard
             | Duty::CycleAtLevel
             | Duty::ApproachEnded
             | Duty::CutsEnded

@@ -8,6 +8,7 @@ use std::fmt;
 pub use super::state::{
     FeedMode, Length, PathMode, Side, Smoothing, State, Tilt, TipControl, WorkOffset, WorkPlane, coolant, stated,
 };
+pub(super) use super::state::settled;
 
 /// Most axes a chain can have: X Y Z U V W A B C.
 pub const MAX_AXES: usize = 9;
@@ -487,6 +488,9 @@ pub struct Block {
     pub radius_guard_mm: Option<f64>,
     /// A guard of rotary positions that ends with this block.
     pub plane_guard: Option<RotaryGuard>,
+    /// A guard of what lies over the work offset ends with this block: shifts that last, rotation, scale, mirror. It stops the
+    /// program.
+    pub offset_guard: bool,
     /// A part of the definition of the blank.
     pub blank: Option<BlankPart>,
     /// The operator may have it skipped: it begins with the mark of block skip.
@@ -498,6 +502,14 @@ pub struct Block {
     /// Number of faults, the first ones, that the text of the block does not explain: its number, an incomplete cycle before
     /// it.
     pub frame_faults: usize,
+}
+
+impl Block {
+    /// Forgets what blocks before it have compared, and said of the blank.
+    pub(super) fn forget_guards(&mut self) {
+        (self.guard, self.radius_guard_mm, self.plane_guard, self.blank) = (None, None, None, None);
+        self.offset_guard = false;
+    }
 }
 
 impl Default for Block {
@@ -519,6 +531,7 @@ impl Default for Block {
             guard: None,
             radius_guard_mm: None,
             plane_guard: None,
+            offset_guard: false,
             blank: None,
             skippable: false,
             own: None,

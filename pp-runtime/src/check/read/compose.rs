@@ -17,6 +17,7 @@
 //! | R, Q, P, I, J | a canned cycle | reference level, step, dwell, shift off the wall of a bore |
 //! | R, P | G2, G3 | radius of an arc, revolutions of a helix on LinuxCNC |
 
+use super::super::policy::RolloverRule;
 use super::block::{OwnPlace, PathMode, Smoothing, WorkOffset, coolant};
 use super::facts::Form;
 use super::frames;
@@ -197,6 +198,12 @@ impl Line<'_> {
             Means::Frame { in_workpiece } => self.orders.mode(Mode::InWorkpiece(in_workpiece)),
             Means::ShortestWay(shortest) => self.orders.mode(Mode::Shortest(shortest)),
             Means::CallCycle => asked.call = true,
+            Means::Settles(bit) => {
+                if let Some(word) = self.words.take_letter(b'P', takes).filter(|word| word.number.value != 0.0) {
+                    self.fault(word.column, "this code is known with P0 only, which ends its compensation");
+                }
+                self.orders.mode(Mode::Settles(bit));
+            }
             Means::Harmless(_) => self.orders.harmless = true,
             Means::Address(_) | Means::Statement(_) => {}
         }
@@ -562,11 +569,32 @@ impl Line<'_> {
             axes.written |= bit;
             match word.counts {
                 Counts::AsInForce => {}
-                Counts::Absolute => axes.absolute |= bit,
+                Counts::Absolute | Counts::Shortest => axes.absolute |= bit,
                 Counts::Incremental => axes.incremental |= bit,
+            }
+            if self.facts().form == Form::Keywords {
+                self.direction(&word);
             }
         }
         axes
+    }
+
+    /// The direction of a rotary word of a modulo axis, which the word has to say: machine data decides it otherwise.
+    fn direction(&mut self, word: &Word) {
+        let axis = self.machine().axis(usize::from(word.index));
+        let shortest = axis.rollover == Some(RolloverRule::Shortest);
+        let value = word.number.value;
+        let text = match word.counts {
+            Counts::Shortest if !shortest => "DC(..) for an axis that the configuration does not let roll over (`wrap`)",
+            Counts::Shortest if !(-180.0..360.0).contains(&value) => {
+                "the value of DC(..) is outside the modulo range: from 0 up to 360, or from -180 up to 180"
+            }
+            Counts::AsInForce | Counts::Absolute if shortest => {
+                "the axis rolls over, and machine data decides the direction to this word (MD30455): expected DC(..)"
+            }
+            _ => return,
+        };
+        self.fault(word.column, text);
     }
 
     /// The words of an arc.

@@ -1,7 +1,7 @@
 //! Properties of the families of controls on which reader and comparison depend. Nothing else compares families.
 
 use super::Family;
-use super::block::{Action, CycleKind, CycleMove};
+use super::block::{Action, CycleKind, CycleMove, settled};
 use super::orders::Order;
 
 /// Numbering of the registers that hold the length of a tool.
@@ -61,6 +61,87 @@ pub(crate) enum PoseSelector {
     /// The lower or the higher value of the rotary axis nearest the tool (_DIR).
     Higher,
 }
+
+/// A state that a program before, a screen of the control or the operator may have left, and that must be ended before a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct LeftOver {
+    /// Bit of [`settled`].
+    pub(crate) bit: u32,
+    /// What may be in force.
+    pub(crate) what: &'static str,
+    /// Code that ends it.
+    pub(crate) code: &'static str,
+    /// Function of the control without which it cannot be.
+    pub(crate) of: FunctionOf,
+}
+
+/// Function of the control to which a state belongs, by its name in `[control] functions`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum FunctionOf {
+    /// Every control has it.
+    Every,
+    /// Taken as installed, unless the list is given without it.
+    Usual(&'static str),
+    /// Taken as absent, unless the list has it: its codes raise an alarm where it is not installed.
+    Listed(&'static str),
+}
+
+impl FunctionOf {
+    /// Whether the control has it. `listed`: the list of the configuration, if it is given.
+    pub(crate) fn is_in(self, listed: Option<&[String]>) -> bool {
+        let has = |name: &str| listed.map(|names| names.iter().any(|one| one == name));
+        match self {
+            Self::Every => true,
+            Self::Usual(name) => has(name).unwrap_or(true),
+            Self::Listed(name) => has(name).unwrap_or(false),
+        }
+    }
+}
+
+const fn left(bit: u32, what: &'static str, code: &'static str, of: FunctionOf) -> LeftOver {
+    LeftOver { bit, what, code, of }
+}
+
+const SIDE: LeftOver = left(settled::SIDE, "cutter compensation", "G40", FunctionOf::Every);
+const LENGTH: LeftOver = left(settled::LENGTH, "length compensation", "G49", FunctionOf::Every);
+const SCALING: LeftOver = left(settled::SCALING, "scaling", "G50", FunctionOf::Listed("scaling"));
+
+/// What must be ended on each control.
+const LINUXCNC_LEFT: &[LeftOver] = &[
+    SIDE,
+    LENGTH,
+    left(settled::DIAMETER, "X as a diameter (G7)", "G8", FunctionOf::Every),
+    left(settled::CUTTING_SPEED, "S as a cutting speed (G96)", "G97", FunctionOf::Every),
+];
+const FANUC_LEFT: &[LeftOver] = &[
+    SIDE,
+    LENGTH,
+    SCALING,
+    left(settled::PLANE, "a tilted plane", "G69", FunctionOf::Listed("planes")),
+    left(settled::PLANE, "a rotation of the coordinates", "G69", FunctionOf::Listed("rotation")),
+    left(settled::POLAR, "polar coordinates", "G15", FunctionOf::Listed("polar")),
+    left(settled::SETTING_ERROR, "workpiece setting error compensation", "G54.4 P0", FunctionOf::Listed("setting_error")),
+    left(settled::SMOOTHING, "smoothing", "G05.1 Q0", FunctionOf::Listed("smoothing")),
+];
+const HAAS_LEFT: &[LeftOver] = &[
+    SIDE,
+    LENGTH,
+    SCALING,
+    left(settled::PLANE, "a tilted plane", "G269", FunctionOf::Listed("planes")),
+    left(settled::ROTATION, "a rotation of the coordinates", "G69", FunctionOf::Listed("rotation")),
+    left(settled::DYNAMIC_OFFSET, "the dynamic work offset", "G255", FunctionOf::Listed("dynamic_offset")),
+    left(settled::SMOOTHING, "smoothing", "G187", FunctionOf::Listed("smoothing")),
+];
+const SIEMENS_LEFT: &[LeftOver] = &[
+    SIDE,
+    left(settled::TIP_CONTROL, "a transformation", "TRAFOOF", FunctionOf::Usual("tip_control")),
+    left(settled::PLANE, "a tilted plane", "CYCLE800()", FunctionOf::Usual("planes")),
+    left(settled::SHIFT, "a programmed shift, rotation, scale or mirror", "TRANS", FunctionOf::Every),
+];
+const HEIDENHAIN_LEFT: &[LeftOver] = &[
+    left(settled::TIP_CONTROL, "tip control", "M129", FunctionOf::Usual("tip_control")),
+    left(settled::PLANE, "a tilted plane", "PLANE RESET STAY", FunctionOf::Usual("planes")),
+];
 
 /// Form of the lines of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -186,6 +267,10 @@ pub(crate) struct Facts {
     pub(crate) rotary_path_selected: bool,
     /// A program defines the blank for the graphics (BLK FORM, WORKPIECE).
     pub(crate) blank: bool,
+    /// States that may be left over.
+    pub(crate) left_over: &'static [LeftOver],
+    /// A guard can compare what lies over the work offset: shifts that last, rotation, scale, mirror.
+    pub(crate) offset_guard: bool,
 }
 
 const ISO: Facts = Facts {
@@ -247,6 +332,8 @@ const ISO: Facts = Facts {
     pose: PoseSelector::Nearest,
     rotary_path_selected: false,
     blank: false,
+    left_over: &[],
+    offset_guard: false,
 };
 
 impl Facts {
@@ -296,6 +383,8 @@ impl Family {
                 functions: Order::Before,
                 guard_source: GuardSource::Spindle,
                 path_tolerance: true,
+                left_over: LINUXCNC_LEFT,
+                offset_guard: true,
                 ..ISO
             },
             // P of a dwell has no decimal point: B-63944EN/02 (2004), dwell. Up to three M codes only with parameter 3404#7:
@@ -307,6 +396,7 @@ impl Family {
                 one_m_code: true,
                 // From memory.
                 step_states: StepStates { peck_gap: Some("5115"), chip_break_gap: Some("5114"), peck_rise: None },
+                left_over: FANUC_LEFT,
                 ..ISO
             },
             // One M code in a block (from memory). Mill manual 96-8000: #2000+H and #2200+H for H1 to H200; G187 P1 rough, P2 medium, P3 finish.
@@ -325,6 +415,7 @@ impl Family {
                 largest_inverse_time_hundredths: Some(999_999),
                 guard_source: GuardSource::Registers { largest: 200 },
                 smoothing: SmoothingWords { tolerance: true, levels: [Some(1), Some(2), Some(3)] },
+                left_over: HAAS_LEFT,
                 ..ISO
             },
             // Rapids: programming manual of the Sinumerik One, RTLIOF.
@@ -353,6 +444,8 @@ impl Family {
                 smoothing: SmoothingWords { tolerance: true, levels: [Some(3), Some(2), Some(1)] },
                 pose: PoseSelector::Higher,
                 blank: true,
+                left_over: SIEMENS_LEFT,
+                offset_guard: true,
                 ..ISO
             },
             Self::Heidenhain => Facts {
@@ -384,6 +477,8 @@ impl Family {
                 pose: PoseSelector::Sign,
                 rotary_path_selected: true,
                 blank: true,
+                left_over: HEIDENHAIN_LEFT,
+                offset_guard: true,
                 ..ISO
             },
         }

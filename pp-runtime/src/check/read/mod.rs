@@ -55,7 +55,7 @@ pub use block::{
     TipControl, WorkOffset, WorkPlane, coolant, stated,
 };
 pub(crate) use declared::{moves, refusal};
-pub(crate) use facts::{Facts, Form, GuardSource, LengthRegisters, PoseSelector, SmoothingWords};
+pub(crate) use facts::{Facts, Form, GuardSource, LeftOver, LengthRegisters, PoseSelector, SmoothingWords};
 pub(crate) use language::table;
 pub(crate) use machine::AxisName;
 pub(crate) use own::{OwnText, PlacedLines, is_filled, is_read};

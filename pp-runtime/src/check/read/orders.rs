@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::block::{
     BlankPart, CycleKind, Fault, FeedMode, FineBore, Guard, MAX_AXES, PathMode, RotaryGuard, Side, Smoothing,
-    WorkOffset, WorkPlane,
+    WorkOffset, WorkPlane, settled,
 };
 use super::language::{Letters, Pattern};
 use crate::program::{Rotation, Units};
@@ -136,6 +136,8 @@ pub(super) enum Mode {
     Incremental(bool),
     /// I J K of arcs are absolute.
     AbsoluteCentres(bool),
+    /// Ends what a program before may have left, and changes nothing else: bit of `settled`.
+    Settles(u32),
     ReturnToInitial(bool),
     Shortest(bool),
     /// The code may cancel the work offset; whether tip control is off afterwards.
@@ -180,6 +182,8 @@ pub(super) enum Mode {
     /// Largest radius, mm.
     RadiusGuard(f64),
     PlaneGuard(RotaryGuard),
+    /// Nothing lies over the work offset.
+    OffsetGuard,
     Blank(BlankPart),
 }
 
@@ -193,6 +197,7 @@ impl Mode {
             Self::Tool(_) | Self::RadiusRegister(_) | Self::Plane(_) | Self::Side(_) => 3,
             Self::Incremental(_)
             | Self::AbsoluteCentres(_)
+            | Self::Settles(_)
             | Self::ReturnToInitial(_)
             | Self::Shortest(_)
             | Self::CancelsOffset { .. } => 3,
@@ -208,7 +213,21 @@ impl Mode {
             Self::Tilt(_) => 13,
             Self::Motion(..) | Self::Rigid => 14,
             Self::Define(_) | Self::CallAtEachPoint(_) | Self::Canned(_) => 15,
-            Self::Guard(_) | Self::RadiusGuard(_) | Self::PlaneGuard(_) | Self::Blank(_) => 16,
+            Self::Guard(_) | Self::RadiusGuard(_) | Self::PlaneGuard(_) | Self::OffsetGuard | Self::Blank(_) => 16,
+        }
+    }
+
+    /// What of a program before it ends or replaces: bits of [`settled`].
+    pub(super) fn settles(&self) -> u32 {
+        match self {
+            Self::Side(_) => settled::SIDE,
+            Self::Length(..) | Self::LengthOfTool => settled::LENGTH,
+            Self::TipControl(_) => settled::TIP_CONTROL,
+            Self::DynamicOffset(_) => settled::DYNAMIC_OFFSET,
+            Self::Tilt(TiltCode::Off | TiltCode::Zero | TiltCode::On { .. }) => settled::PLANE,
+            Self::Smoothing(..) => settled::SMOOTHING,
+            Self::Settles(bits) => *bits,
+            _ => 0,
         }
     }
 

@@ -216,6 +216,37 @@ pub mod stated {
     pub const SPEED: u8 = 32;
 }
 
+/// What a program before may have left in force, and the code that ends it: bits of what the program has settled since its last
+/// cut before the complete state.
+pub(crate) mod settled {
+    /// Cutter compensation.
+    pub(crate) const SIDE: u32 = 1;
+    /// Length compensation.
+    pub(crate) const LENGTH: u32 = 2;
+    /// X is a diameter.
+    pub(crate) const DIAMETER: u32 = 4;
+    /// S is a cutting speed.
+    pub(crate) const CUTTING_SPEED: u32 = 8;
+    /// Tip control.
+    pub(crate) const TIP_CONTROL: u32 = 16;
+    /// A tilted plane.
+    pub(crate) const PLANE: u32 = 32;
+    /// The zero follows the table.
+    pub(crate) const DYNAMIC_OFFSET: u32 = 64;
+    /// A programmable shift, rotation, scale or mirror.
+    pub(crate) const SHIFT: u32 = 128;
+    /// Scaling.
+    pub(crate) const SCALING: u32 = 256;
+    /// Rotation of the coordinates.
+    pub(crate) const ROTATION: u32 = 512;
+    /// Words are polar coordinates.
+    pub(crate) const POLAR: u32 = 1024;
+    /// Compensation of the place of the part (workpiece setting error).
+    pub(crate) const SETTING_ERROR: u32 = 2048;
+    /// Smoothing of the path.
+    pub(crate) const SMOOTHING: u32 = 4096;
+}
+
 /// What is in force; `None` where the program has not said it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
@@ -284,6 +315,8 @@ pub struct State {
     pub clamped: u16,
     /// Axes of which it is known whether they are clamped: bits by position.
     pub clamps_known: u16,
+    /// Bits of [`settled`].
+    pub settled: u32,
     /// Line with the declared effect "state lost": what has not been programmed after it is unknown.
     pub lost_at: Option<u64>,
 }
@@ -345,6 +378,7 @@ impl State {
             path_mode,
             clamped,
             clamps_known,
+            settled,
             lost_at,
         } = self;
         keep(tool, &other.tool);
@@ -371,6 +405,7 @@ impl State {
         keep(to_initial, &other.to_initial);
         keep(smoothing_angle_rad, &other.smoothing_angle_rad);
         keep(path_mode, &other.path_mode);
+        *settled &= other.settled;
         *lost_at = lost_at.or(other.lost_at);
         if *shortest != other.shortest {
             (*shortest, *shortest_stated) = (false, false);
@@ -436,6 +471,7 @@ impl Default for State {
             path_mode: None,
             clamped: 0,
             clamps_known: 0,
+            settled: 0,
             lost_at: None,
         }
     }

@@ -9,6 +9,8 @@ pub(super) enum Counts {
     AsInForce,
     Absolute,
     Incremental,
+    /// Absolute, by the shortest path.
+    Shortest,
 }
 
 /// A word with a number.

@@ -66,6 +66,8 @@ pub(super) struct Rules<'a> {
     law: FeedLaw,
     rounding: Rounding,
     units: Units,
+    /// States of a program before that must be ended: bits of `settled`.
+    left_over: u32,
     /// Work offset of each set-up.
     offsets: Vec<(u32, WorkOffset)>,
     /// Rotary axes with clamps: bits.
@@ -96,6 +98,7 @@ impl<'a> Rules<'a> {
             law,
             rounding,
             units,
+            left_over: state::left_over(policy, &facts),
             offsets: state::offsets(&policy.set_up, &facts),
             clamps: policy.shop.lines.iter().fold(0, |bits, line| match line.place {
                 OwnPlace::Clamp { axis, .. } => bits | 1 << axis,

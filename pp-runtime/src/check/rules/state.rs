@@ -3,9 +3,9 @@
 use std::fmt::Display;
 
 use super::super::expect::{Required, SpindleState};
-use super::super::policy::{LinearMeaning, RolloverRule};
+use super::super::policy::{CheckPolicy, LinearMeaning, RolloverRule};
 use super::super::read::{
-    Action, Block, Facts, FeedMode, Form, Length, Side, State, TipControl, WorkOffset, WorkPlane,
+    Action, Block, Facts, FeedMode, Form, LeftOver, Length, Side, State, TipControl, WorkOffset, WorkPlane,
 };
 use super::{Rules, apart};
 use crate::check::tolerances::{ROUNDED_SPEED, ROUNDED_WORD};
@@ -292,6 +292,9 @@ impl Rules<'_> {
                 side.name()
             ));
         }
+        if state.settled & self.left_over != self.left_over {
+            return self.not_settled(state);
+        }
         let selects = self.facts.rotary_path_selected && !self.policy.shop.own_safety;
         if selects && !state.shortest_stated {
             return Some("the direction of rotary axes (M126, M127) has not been programmed".to_owned());
@@ -313,6 +316,16 @@ impl Rules<'_> {
             return Some(format!("feed mode is not per minute ({code}){since}"));
         }
         None
+    }
+
+    /// What a program before may have left, and this one has not ended.
+    fn not_settled(&self, state: &State) -> Option<String> {
+        let is_missing = |left: &&LeftOver| left.bit & self.left_over & !state.settled != 0;
+        let LeftOver { what, code, .. } = self.facts.left_over.iter().find(is_missing)?;
+        let since = state.since_lost(true);
+        Some(format!(
+            "{what} may be on from a program before: {code} has not been programmed at the restart point of this operation{since}"
+        ))
     }
 
     /// Tip control, tilted plane and dynamic work offset, as the linear words require.
@@ -538,6 +551,13 @@ fn coolant(state: &State, required: u8) -> Option<StateFault> {
 /// A tool in a message.
 pub(crate) fn tool_name(tool: Option<u32>) -> String {
     tool.map_or("no tool".to_owned(), |number| format!("T{number}"))
+}
+
+/// What must be ended at each restart point; safety lines of the shop are its own affair.
+pub(super) fn left_over(policy: &CheckPolicy, facts: &Facts) -> u32 {
+    let shop = &policy.shop;
+    let asked = facts.left_over.iter().filter(|left| !shop.own_safety && left.of.is_in(shop.functions.as_deref()));
+    asked.fold(0, |bits, left| bits | left.bit)
 }
 
 /// The work offset of each set-up.

@@ -187,6 +187,10 @@ pub(crate) struct ExplainArgs {
     /// the code takes (those without brackets are needed), group of which a block has one code, source
     #[arg(long, conflicts_with_all = ["latex", "cl", "proof_program"])]
     pub(crate) codes: bool,
+    /// Print the states of `--control` instead that change the meaning of words: what a program before, a screen, the operator or the
+    /// machine builder may have left, and whether the word has it, the program sets it, a guard compares it, or the header states it
+    #[arg(long, conflicts_with_all = ["latex", "cl", "codes", "verify", "proof_program", "drawing"])]
+    pub(crate) states: bool,
     /// Print a proof program for the machine instead: the tip stays on one point while each rotary axis runs its travel.
     /// With axis positions it shows the declaration; with `mode = "tcp"` in the configuration, the data of the control
     #[arg(long, conflicts_with_all = ["latex", "cl"], group = "of_configuration")]

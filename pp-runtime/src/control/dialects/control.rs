@@ -124,6 +124,12 @@ pub trait Control: Sync {
         self.base().map_or_else(Vec::new, |base| base.plane_guard(guard))
     }
 
+    /// Blocks that stop the program with a message if a rotation, a scale, a mirror or a shift that lasts lies over the work offset in
+    /// force. `label`: a number that occurs once among these guards. Empty if the control cannot compare them.
+    fn offset_guard(&self, label: u32) -> Vec<String> {
+        self.base().map_or_else(Vec::new, |base| base.offset_guard(label))
+    }
+
     /// Whether [`plane_guard`](Self::plane_guard) has blocks.
     fn compares_rotary_positions(&self) -> bool {
         !self.plane_guard(&PlaneGuard { label: 1, axes: vec![("C".to_owned(), 0.0)] }).is_empty()

@@ -34,9 +34,10 @@
 use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};
 
+use super::super::options::ControlFunction;
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    ArcCodes, CommentStyle, CycleCodes, CycleForm, FoundAt, HoleCycles, MachineRetract, Spellings, ThreadCodes,
+    ArcCodes, Cancel, CommentStyle, CycleCodes, CycleForm, FoundAt, HoleCycles, MachineRetract, Spellings, ThreadCodes,
     TiltedPlaneCodes, TipControlCodes, ToolAxisWords, ascii_in_brackets,
 };
 
@@ -90,6 +91,13 @@ static SPELLINGS: Spellings = Spellings {
             ..CycleCodes::ISO
         }),
     }),
+    cancels: &[
+        Cancel::listed(ControlFunction::Scaling, "G50"),
+        Cancel::listed(ControlFunction::Rotation, "G69"),
+        Cancel::listed(ControlFunction::Polar, "G15"),
+        Cancel::listed(ControlFunction::SettingError, "G54.4 P0"),
+        Cancel::listed(ControlFunction::Smoothing, "G05.1 Q0"),
+    ],
     retracts: &[MachineRetract::to_machine_coordinate("G53"), MachineRetract::to_reference_position(true)],
     per_revolution: "G95",
     dwell: &["G4 P{milliseconds}"],
@@ -133,6 +141,8 @@ static SPELLINGS: Spellings = Spellings {
         cancelled_after_retract: true,
         note: "G53.1 must take the pose that rotates the rotary axes least; they are in it already",
     }),
+    // B-63534EN, p. 531.
+    shortest_note: "parameters 1008#0 = 1 and 1008#1 = 0",
     rotary_note: "the axes must not roll over (parameter 1008#0 = 0)",
     examples: &[("control.states", r#"{ "5114" = 0.5, "5115" = 0.5 }"#)],
     unused_keys: &["control.swivel_data"],

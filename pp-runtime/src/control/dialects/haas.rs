@@ -31,9 +31,10 @@
 use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};
 
+use super::super::options::ControlFunction;
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    ArcCodes, CommentStyle, CycleCodes, CycleForm, FoundAt, HoleCycles, MachineRetract, Spellings, TiltedPlaneCodes,
+    ArcCodes, Cancel, CommentStyle, CycleCodes, CycleForm, FoundAt, HoleCycles, MachineRetract, Spellings, TiltedPlaneCodes,
     TipControlCodes, ascii_in_brackets,
 };
 
@@ -78,6 +79,11 @@ static SPELLINGS: Spellings = Spellings {
     radius_data: [
         "D must hold the radius of the tool where setting 40 is RADIUS, its diameter where it is DIAMETER",
         "D must hold wear only",
+    ],
+    cancels: &[
+        Cancel::listed(ControlFunction::Scaling, "G50"),
+        Cancel::listed(ControlFunction::Rotation, "G69"),
+        Cancel::listed(ControlFunction::Smoothing, "G187"),
     ],
     machine: ["G53 G00", ""],
     retracts: &[MachineRetract::to_machine_coordinate("G53"), MachineRetract::to_reference_position(true)],

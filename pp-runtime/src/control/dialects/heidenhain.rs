@@ -20,6 +20,8 @@
 //! B C: TNC 426/430 Technical Manual, p. 7-30). `FN 20: WAIT FOR SYNC` is before it, so that the look-ahead has not passed the
 //! call (TNC 640 user's manual, FN 20; from memory). The sine of half the difference is zero at whole turns as well.
 //!
+//! Guard of the work offset: `FN 18` reads the basic rotation (ID210 NR1: TNC 426/430 Technical Manual, p. 7-30).
+//!
 //! `/` before the number marks a block that the operator may have skipped, as Autodesk's public post for the TNC writes it
 //! (`writeOptionalBlock`).
 //!
@@ -55,9 +57,10 @@
 use crate::motion::{CycleAbilities, FineBoreAbility, PathNorm, PlaneAngles, PoseRule, Registers};
 use crate::nc::{Formats, Numerals};
 
+use super::super::options::ControlFunction;
 use super::control::{BlankWords, Control, LengthGuard, PlaneGuard, numbered};
 use super::spellings::{
-    ArcCentre, ArcCodes, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes,
+    ArcCentre, ArcCodes, Cancel, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes,
     LinearRapids, MachineRetract, RetractForm, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 use crate::motion::tolerances::GUARDED_SINES;
@@ -169,11 +172,10 @@ static SPELLINGS: Spellings = Spellings {
     number_digits: 0,
     plain_name: true,
     units: ["MM", "INCH"],
-    safety: &[
-        "M129",
-        "PLANE RESET STAY",
-        "{rotary_path}",
-        "CYCL DEF 247 DATUM SETTING ~\n  Q339=+{work_offset} ;DATUM NUMBER",
+    safety: &["{rotary_path}", "CYCL DEF 247 DATUM SETTING ~\n  Q339=+{work_offset} ;DATUM NUMBER"],
+    cancels: &[
+        Cancel::usual(ControlFunction::TipControl, "M129"),
+        Cancel::usual(ControlFunction::Planes, "PLANE RESET STAY"),
     ],
     per_minute: "",
     per_revolution: "",
@@ -263,6 +265,7 @@ static SPELLINGS: Spellings = Spellings {
     smoothing_off: &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1"],
     blending: &[],
     rotary_path: ["M127", "M126"],
+    may_begin_in_tip_control: false,
     tip: Some(TipControlCodes {
         on: &["FUNCTION TCPM F TCP AXIS POS PATHCTRL {posture}"],
         with_length: None,
@@ -296,6 +299,8 @@ static SPELLINGS: Spellings = Spellings {
         cancelled_after_retract: false,
         note: "the master axis of SEQ must be the rotary axis nearest the tool",
     }),
+    shortest_word: None,
+    shortest_note: "",
     rotary_note: "M127 is in force, so the axes do not take the shortest path",
     examples: &[
         ("control.safety", r#"["M129", "PLANE RESET STAY", "M127"]"#),
@@ -417,6 +422,16 @@ impl Control for Heidenhain {
             format!("LBL \"PLANE{label}\""),
         ]);
         lines
+    }
+
+    fn offset_guard(&self, label: u32) -> Vec<String> {
+        vec![
+            "FN 18: SYSREAD QL1 = ID210 NR1".to_owned(),
+            format!("FN 9: IF +QL1 EQU +0 GOTO LBL \"OFFSET{label}\""),
+            "; a basic rotation lies over the preset".to_owned(),
+            "FN 14: ERROR = 102".to_owned(),
+            format!("LBL \"OFFSET{label}\""),
+        ]
     }
 
     fn message(&self, byte: u8) -> u8 {

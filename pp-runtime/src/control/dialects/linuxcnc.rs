@@ -5,7 +5,8 @@
 //! wherever one of them moves. `#5403` is the length of the tool in the spindle in the tool table, whatever H is in
 //! force, in the unit of the machine and not of the program. `G64` without P would round corners without bound at high
 //! speed. The axes of a rapid arrive together (handbook, node 53). `G41 D` offsets the path by half the diameter in the tool
-//! table (handbook, nodes 85 and 86). `G28 Z` moves Z to the position that `G28.1` has stored (parameters 5161 to 5166), through
+//! table (handbook, nodes 85 and 86). `#5210` is 1 while G92 or G52 is active, `#5220` the number of the work offset, and `#5230`, 20 more for
+//! each further offset, its rotation (G-code overview, numbered parameters); G92.1 would clear what the shop has set. `G28 Z` moves Z to the position that `G28.1` has stored (parameters 5161 to 5166), through
 //! the point of its word (G-code documentation, G28). `(MSG, text)` displays a text (G-code overview, comments). Tip control is only switched by codes of the configuration; there is no tilted plane.
 
 use std::borrow::Cow;
@@ -33,8 +34,9 @@ static SPELLINGS: Spellings = Spellings {
     linear_rapids: LinearRapids::Always,
     // Its planner knows the coordinates only: github.com/LinuxCNC/linuxcnc, issue 97 (following errors of the joints).
     tip_control_holds_axis_speeds: false,
-    // G90.1, absolute centres of arcs, survives M2: interp_convert.cc, convert_stop.
-    safety: &["{units} G17 G40 G49 G80 G90 G91.1 G94 {work_offset} G64 P{path_tolerance}"],
+    // G90.1 (absolute centres of arcs), G7 (X as a diameter) and G96 (S as a cutting speed) survive M2: interp_convert.cc,
+    // convert_stop.
+    safety: &["{units} G8 G17 G40 G49 G80 G90 G91.1 G94 G97 {work_offset} G64 P{path_tolerance}"],
     blending: &["G64 P{path_tolerance}"],
     arcs: ArcCodes {
         // If the radii differ by more, the interpreter of version 2.9 also compares their ratio.
@@ -49,6 +51,8 @@ static SPELLINGS: Spellings = Spellings {
         "the tool table must hold the diameter of the tool",
         "the tool table must hold twice the wear, and no diameter",
     ],
+    // Switchable kinematics: linuxcnc.org; bridgemill/5axis.ini begins in 5axiskins.
+    may_begin_in_tip_control: true,
     preselect: false,
     // LinuxCNC documentation, M codes, M6: with tool 0 there is no tool in the spindle after it.
     empty_spindle_note: "",
@@ -62,7 +66,7 @@ static SPELLINGS: Spellings = Spellings {
     },
     rotary_note: "the axes must not be wrapped (WRAPPED_ROTARY = 0)",
     examples: &[
-        ("control.safety", r#"["{units} G17 G40 G49 G80 G90 G91.1 G94 {work_offset} G64 P{path_tolerance}"]"#),
+        ("control.safety", r#"["{units} G8 G17 G40 G49 G80 G90 G91.1 G94 G97 {work_offset} G64 P{path_tolerance}"]"#),
         ("control.coolant", r#"{ through = ["M64 P2", "M65 P2"] }"#),
         ("control.effects", r#"{ "M110" = "none" }"#),
         ("cycles.probe", r#"{ "PROBE/BORE,20" = ["o<probe_bore> call [20]"] }"#),
@@ -129,6 +133,9 @@ static SPELLINGS: Spellings = Spellings {
     ..Spellings::ISO
 };
 
+/// Labels of the guards of the work offset come after those of the lengths, which are numbers of restart points.
+const OFFSET_GUARDS: u32 = 1_000_000;
+
 impl Control for LinuxCnc {
     fn spellings(&self) -> &'static Spellings {
         &SPELLINGS
@@ -150,6 +157,15 @@ impl Control for LinuxCnc {
         vec![
             format!("o{label} if [{} AND {}]", off("#5403"), off("[#5403 * 25.4]")),
             format!("(abort, T{tool} was posted with L = {length} mm: the length in the tool table differs)"),
+            format!("o{label} endif"),
+        ]
+    }
+
+    fn offset_guard(&self, label: u32) -> Vec<String> {
+        let label = OFFSET_GUARDS + label;
+        vec![
+            format!("o{label} if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]"),
+            "(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)".to_owned(),
             format!("o{label} endif"),
         ]
     }

@@ -16,7 +16,7 @@ mod spellings;
 pub use control::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard};
 pub(crate) use spellings::STANDARD_M;
 pub use spellings::{
-    ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall,
+    ArcCentre, ArcCodes, Cancel, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall,
     LengthCodes, LinearRapids, MachineRetract, MessageStyle, RetractForm, Spellings, ThreadCodes, TiltedPlaneCodes,
     TipControlCodes, ToolAxisWords,
 };

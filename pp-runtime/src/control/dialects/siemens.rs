@@ -17,6 +17,9 @@
 //! reading it stops the look-ahead, as for all variables of the main run, `$A` (Programming Guide Advanced 04.00, 15.2.37,
 //! p. 15-558). `SIN` is in degrees; the sine of half the difference is zero at whole turns as well.
 //!
+//! Guard of the work offset: `$P_ACTFRAME` is the chain of all frames, with the components RT, SC and MI for each axis (NC programming
+//! 12/2019, 6FC5398-2EP40-0BA0, p. 631 and 636). A workpiece that is aligned by a rotation of coordinates has one.
+//!
 //! `T="NAME"` calls a tool by its name in the tool management (Fundamentals 05/2017; a name has at most 32 characters, from
 //! memory).
 //!
@@ -55,9 +58,10 @@ use crate::motion::tolerances::GUARDED_SINES;
 use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
 
+use super::super::options::ControlFunction;
 use super::control::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard, numbered};
 use super::spellings::{
-    ArcCodes, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes, LinearRapids,
+    ArcCodes, Cancel, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes, LinearRapids,
     MachineRetract, MessageStyle, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 
@@ -90,7 +94,11 @@ static SPELLINGS: Spellings = Spellings {
         (70, "spindle as an axis"),
     ],
     linear_rapids: LinearRapids::AsDelivered,
-    safety: &["TRAFOOF", "CYCLE800()", "{units} G17 G40 G64 G90 G94 {work_offset}"],
+    safety: &["TRANS", "{units} G17 G40 G64 G90 G94 {work_offset}"],
+    cancels: &[
+        Cancel::usual(ControlFunction::TipControl, "TRAFOOF"),
+        Cancel::usual(ControlFunction::Planes, "CYCLE800()"),
+    ],
     arcs: ArcCodes {
         // In another plane the tool length applies at once along X or Y, unless SD42940 keeps it along Z
         // (6FC5398-1BP10-2BA0, 8.17.4).
@@ -198,9 +206,12 @@ static SPELLINGS: Spellings = Spellings {
         cancelled_after_retract: true,
         note: "the direction reference of the swivel data must be the rotary axis nearest the tool",
     }),
+    // Outside the modulo range DC raises alarm 16830: Axes and Spindles 06/2019, p. 225.
+    shortest_word: Some(["=DC(", ")"]),
+    shortest_note: "they are modulo axes (MD30310 = 1, MD30455 bit 0 = 0) whose range begins where `wrap` has it (MD30340 = 0 or -180)",
     rotary_note: "the axes must not be modulo axes (MD30310 = 0)",
     examples: &[
-        ("control.safety", r#"["TRAFOOF", "CYCLE800()", "{units} G17 G40 G64 G90 G94 {work_offset}"]"#),
+        ("control.safety", r#"["TRAFOOF", "CYCLE800()", "TRANS", "{units} G17 G40 G64 G90 G94 {work_offset}"]"#),
         ("control.tool_change", r#"["T{tool}", "M6", "T{next}"]"#),
         ("retract.method", r#""SUPA""#),
         ("cycles.probe", r#"{ "PROBE/BORE,20" = ["PROBE_BORE(20)"] }"#),
@@ -248,6 +259,9 @@ static SPELLINGS: Spellings = Spellings {
     ],
     ..Spellings::ISO
 };
+
+/// Sum of rotations in degrees, and of deviations of scales from 1, above which the guard of the work offset stops.
+const GUARDED_FRAME: f64 = 1e-4;
 
 /// Blocks that stop the program with a message if a condition holds.
 fn stops_if(condition: &str, message: &str) -> Vec<String> {
@@ -313,6 +327,15 @@ impl Control for Siemens {
             &format!("{}>{GUARDED_SINES}", sum.join("+")),
             &format!("After the plane call the axes are not at {}", guard.positions()),
         )
+    }
+
+    fn offset_guard(&self, _label: u32) -> Vec<String> {
+        let sum = |component: &str, plain: &str| {
+            ["X", "Y", "Z"].map(|axis| format!("ABS($P_ACTFRAME[{axis},{component}]{plain})")).join("+")
+        };
+        let mirrors = ["X", "Y", "Z"].map(|axis| format!("$P_ACTFRAME[{axis},MI]")).join(" OR ");
+        let condition = format!("({}+{}>{GUARDED_FRAME}) OR {mirrors}", sum("RT", ""), sum("SC", "-1"));
+        stops_if(&condition, "A rotation, a scale or a mirror lies over the work offset")
     }
 
     fn message(&self, byte: u8) -> u8 {

@@ -8,6 +8,8 @@ use crate::nc::Formats;
 use crate::nc::Numerals;
 use crate::program::Rotation;
 
+use super::super::options::ControlFunction;
+
 /// M functions that every control has, and what they do.
 pub(crate) const STANDARD_M: [(u16, &str); 7] = [
     (0, "program stop"),
@@ -56,6 +58,8 @@ pub struct Spellings {
     pub units: [&'static str; 2],
     /// Safety blocks of a restart point: cancel all modal functions; absolute mode, feed per minute, work offset.
     pub safety: &'static [&'static str],
+    /// Blocks that end functions which the control may have.
+    pub cancels: &'static [Cancel],
     /// Code of feed per minute.
     pub per_minute: &'static str,
     /// Code of feed per revolution, for threads; empty where their cycle takes the pitch.
@@ -144,6 +148,13 @@ pub struct Spellings {
     pub blending: &'static [&'static str],
     /// Codes for rotary axes that rotate as their words state, and by the shortest path.
     pub rotary_path: [&'static str; 2],
+    /// Text before and after the number of a rotary word that the control reaches by the shortest path: `=DC(` and `)`; `None` if the
+    /// word does not say so.
+    pub shortest_word: Option<[&'static str; 2]>,
+    /// Settings with which the control moves a rotary axis to every angle by the shortest path.
+    pub shortest_note: &'static str,
+    /// The control may be in kinematics with tip control from its start on.
+    pub may_begin_in_tip_control: bool,
     /// Codes of tip control; `None` if only the configuration can state them.
     pub tip: Option<TipControlCodes>,
     /// Codes of tilted planes.
@@ -157,6 +168,33 @@ pub struct Spellings {
     pub examples: &'static [(&'static str, &'static str)],
     /// Keys of the set-up file that the control refuses or does not read: `config` does not print them.
     pub unused_keys: &'static [&'static str],
+}
+
+/// Block that ends a function at a restart point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Cancel {
+    /// The function.
+    pub of: ControlFunction,
+    /// Its block.
+    pub block: &'static str,
+    /// It is written before the safety blocks unless the configuration lists the functions without it; otherwise after them, and only
+    /// where the configuration lists it.
+    pub usual: bool,
+}
+
+impl Cancel {
+    pub(crate) const fn usual(of: ControlFunction, block: &'static str) -> Self {
+        Self { of, block, usual: true }
+    }
+
+    pub(crate) const fn listed(of: ControlFunction, block: &'static str) -> Self {
+        Self { of, block, usual: false }
+    }
+
+    /// Whether it is written, as the configuration lists the functions.
+    pub(crate) fn is_due(&self, functions: Option<&[ControlFunction]>) -> bool {
+        functions.map_or(self.usual, |listed| listed.contains(&self.of))
+    }
 }
 
 /// Where a number of the set-up file is found at the control.

@@ -4,7 +4,8 @@
 use std::io;
 
 use crate::control::layout::Layout;
-use crate::control::options::BlockNumbers;
+use crate::control::dialects::Cancel;
+use crate::control::options::{BlockNumbers, ControlFunction};
 use crate::motion::PoseRule;
 use crate::nc::Decimal;
 
@@ -16,6 +17,8 @@ use super::modal_writer::ModalWriter;
 pub(crate) struct FrameWriter {
     /// The program uses tip control, tilted planes, and a dynamic work offset.
     uses: [bool; 3],
+    /// Functions that are listed as installed.
+    functions: Option<Vec<ControlFunction>>,
     tip_control: Option<[String; 2]>,
     safety: Option<Vec<String>>,
     tool_change: Option<Vec<String>>,
@@ -28,7 +31,8 @@ impl FrameWriter {
     pub(crate) fn new(layout: &Layout) -> Self {
         Self {
             uses: [layout.tip_control, layout.planes, layout.dynamic_offset],
-            tip_control: layout.options.tip_control.clone(),
+            functions: layout.options.functions.clone(),
+            tip_control: layout.options.tip_control_codes().cloned(),
             safety: layout.options.safety.clone(),
             tool_change: layout.options.tool_change.clone(),
             numbers: layout.program.line_numbers,
@@ -120,8 +124,10 @@ impl FrameWriter {
             };
         }
         let codes = out.codes();
+        self.cancel(true, out)?;
         out.fill_all(codes.safety)?;
         self.reset(out)?;
+        self.cancel(false, out)?;
         let modal = out.modal();
         modal.set_feed_mode(codes.per_minute);
         modal.set_length(LengthState::Off);
@@ -129,9 +135,19 @@ impl FrameWriter {
         Ok(())
     }
 
-    /// Cancels the frames that the program uses and `safety` does not cancel.
+    /// Ends functions that a program before may have left on; `usual`: those that most controls have, or the others.
+    fn cancel(&self, usual: bool, out: &mut ModalWriter<'_>) -> io::Result<()> {
+        let codes = out.codes();
+        let is_due = |cancel: &&Cancel| cancel.usual == usual && cancel.is_due(self.functions.as_deref());
+        codes.cancels.iter().filter(is_due).try_for_each(|cancel| out.block(cancel.block))
+    }
+
+    /// Cancels the frames that the program uses, or the configuration lists, and `safety` does not cancel.
     fn reset(&self, out: &mut ModalWriter<'_>) -> io::Result<()> {
-        let (codes, [tip_control, planes, dynamic_offset]) = (out.codes(), self.uses);
+        let listed = |of: ControlFunction| self.functions.as_ref().is_some_and(|listed| listed.contains(&of));
+        let functions = [ControlFunction::TipControl, ControlFunction::Planes, ControlFunction::DynamicOffset];
+        let [tip_control, planes, dynamic_offset] = std::array::from_fn(|index| self.uses[index] || listed(functions[index]));
+        let codes = out.codes();
         if dynamic_offset {
             self.dynamic_offset(false, out)?;
         }

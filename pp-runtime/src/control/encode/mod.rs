@@ -227,6 +227,7 @@ impl<'a> Encoder<'a> {
                 let guard = PlaneGuard { label, axes: out.positions(words) };
                 self.lines(&self.control.plane_guard(&guard))
             }
+            Step::OffsetGuard { label } => self.lines(&self.control.offset_guard(label)),
             Step::Spindle { speed, rotation } => self.spindle_coolant.spindle(speed, rotation, out),
             Step::Code { text } => out.block(text),
             Step::SpindleOff => out.block(codes.spindle_off),

@@ -143,7 +143,7 @@ options! {
     /// Words and clamps of rotary axes.
     pub struct RotaryOptions {
         /// Rollover of the words of endless rotary axes: "none" (words count beyond 360), "0..360" or "+-180" (the
-        /// control takes the shortest path, on Heidenhain by M126), "sign" (0..360, with the sense of rotation as sign).
+        /// control takes the shortest path, on Siemens by DC(..), on Heidenhain by M126), "sign" (0..360, with the sense of rotation as sign).
         wrap: BTreeMap<char, Wrap> = BTreeMap::new(), key("wrap", WRAP);
         /// Steps of indexed rotary axes (Hirth): they rotate between cuts only, and to multiples of the step only.
         grid: BTreeMap<char, f64> = BTreeMap::new(), key("grid", GRID);
@@ -158,7 +158,7 @@ options! {
 pub enum Wrap {
     /// From 0 up to 360; the control takes the shortest path.
     Positive,
-    /// Above -180 up to 180; the control takes the shortest path.
+    /// From -180 up to 180; the control takes the shortest path.
     Symmetric,
     /// From 0 up to 360, with the sense of rotation as sign; zero that is reached backwards is written as -360.
     Sign,

@@ -51,6 +51,8 @@ pub struct Abilities {
     pub retract_keeps_length: bool,
     /// A program can stop where the control has tilted a plane with the rotary axes elsewhere.
     pub guards_planes: bool,
+    /// A program can stop where a rotation, a scale, a mirror or a shift lies over the work offset.
+    pub guards_offset: bool,
     /// Comparisons of the control may be in blocks that are skipped.
     pub skips_guards: bool,
     /// Blocks of the shop come at the start and at the end of each operation.

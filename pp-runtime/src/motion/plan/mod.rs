@@ -63,7 +63,7 @@ use cutter::CutterCompensation;
 use feed::Feeds;
 use mover::Mover;
 use operation::FeedCap;
-use output::Output;
+use output::{Output, OutputGuards};
 use selection::Selection;
 use spindle::SpindleState;
 use tooling::Tooling;
@@ -129,7 +129,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             policy,
             abilities,
             upside_down: upside_down && policy.options.guards.table_check,
-            mover: Mover::new(machine, policy, units, abilities, Output::new(sink, abilities.skips_guards)),
+            mover: Mover::new(machine, policy, units, abilities, Output::new(sink, OutputGuards::of(abilities))),
             tooling: Tooling::default(),
             spindle: SpindleState::default(),
             coolant: CoolantState::default(),

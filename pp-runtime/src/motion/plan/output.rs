@@ -9,6 +9,7 @@ use crate::program::Location;
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::AxisPosition;
+use crate::motion::plan::abilities::Abilities;
 use crate::motion::plan::feed::Pace;
 use crate::motion::plan::machining_time::{FastestRotation, Times};
 use crate::motion::plan::statistics::Statistics;
@@ -40,17 +41,32 @@ pub(crate) struct Output<S> {
     /// Inverse time is in force.
     inverse_time: bool,
     skippable: Skippable,
-    /// Comparisons of the control may be in blocks that are skipped.
-    skips_guards: bool,
+    guards: OutputGuards,
     statistics: Statistics,
     times: Times,
     threads: Threads,
     warnings: Vec<Diagnostic>,
 }
 
+/// Comparisons of the control.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OutputGuards {
+    /// They may be in blocks that are skipped.
+    in_skipped: bool,
+    /// What lies over the work offset is compared after each safety line.
+    of_offset: bool,
+    /// Such guards so far.
+    offset_guards: u32,
+}
+
+impl OutputGuards {
+    pub(crate) fn of(abilities: &Abilities) -> Self {
+        Self { in_skipped: abilities.skips_guards, of_offset: abilities.guards_offset, offset_guards: 0 }
+    }
+}
+
 impl<S: Sink> Output<S> {
-    /// `skips_guards`: comparisons of the control may be in blocks that are skipped.
-    pub(crate) fn new(sink: S, skips_guards: bool) -> Self {
+    pub(crate) fn new(sink: S, guards: OutputGuards) -> Self {
         Self {
             sink,
             at: None,
@@ -58,7 +74,7 @@ impl<S: Sink> Output<S> {
             shown: true,
             inverse_time: false,
             skippable: Skippable::No,
-            skips_guards,
+            guards,
             statistics: Statistics::default(),
             times: Times::default(),
             threads: Threads::default(),
@@ -98,7 +114,7 @@ impl<S: Sink> Output<S> {
     /// # Errors
     /// [`Fault`] where it may be skipped, and the control executes it all the same.
     pub(crate) fn guard(&mut self, step: &Step<'_>) -> Planned {
-        if self.is_skippable() && !self.skips_guards {
+        if self.is_skippable() && !self.guards.in_skipped {
             let fault = Fault::new(
                 "a guard of tool length, radius or rotary positions comes between OPSKIP/ON and OPSKIP/OFF, and the control \
                  executes its IF whatever the block skip switch is set to",
@@ -173,13 +189,25 @@ impl<S: Sink> Output<S> {
     /// Writes a safety line, after which feed per minute is in force.
     pub(crate) fn restart(&mut self, number: u32, changes_tool: bool) -> io::Result<()> {
         self.inverse_time = false;
-        self.step(&Step::Restart { number, changes_tool })
+        self.step(&Step::Restart { number, changes_tool })?;
+        self.guard_offset()
     }
 
     /// Writes the modes of a safety line again, after which feed per minute is in force.
     pub(crate) fn restate_modes(&mut self) -> io::Result<()> {
         self.inverse_time = false;
-        self.step(&Step::Modes)
+        self.step(&Step::Modes)?;
+        self.guard_offset()
+    }
+
+    /// Compares what lies over the work offset. Blocks that may be skipped come after a safety line that has done so.
+    fn guard_offset(&mut self) -> io::Result<()> {
+        let executed = !self.is_skippable() || self.guards.in_skipped;
+        if !(self.guards.of_offset && executed && self.shown) {
+            return Ok(());
+        }
+        self.guards.offset_guards += 1;
+        self.step(&Step::OffsetGuard { label: self.guards.offset_guards })
     }
 
     /// Counts a feed motion. `rotation`: letter and angle, rad, of the rotary axis that rotates most.

@@ -23,7 +23,7 @@ impl Wrap {
     pub(crate) fn displayed(self, word: i64, units_per_turn: i64) -> i64 {
         let within = word.rem_euclid(units_per_turn);
         match self {
-            Self::Symmetric if 2 * within > units_per_turn => within - units_per_turn,
+            Self::Symmetric if 2 * within >= units_per_turn => within - units_per_turn,
             Self::Positive | Self::Symmetric | Self::Sign => within,
         }
     }
@@ -128,7 +128,7 @@ mod tests {
     fn words_stay_within_one_revolution() {
         let path = [0, 90, 180, 350, 360, 370, 725, 700, 360, 0, -10];
         assert_eq!(spelled(Wrap::Positive, &path), [0, 90, 180, 350, 0, 10, 5, 340, 0, 0, 350]);
-        assert_eq!(spelled(Wrap::Symmetric, &path), [0, 90, 180, -10, 0, 10, 5, -20, 0, 0, -10]);
+        assert_eq!(spelled(Wrap::Symmetric, &path), [0, 90, -180, -10, 0, 10, 5, -20, 0, 0, -10]);
         assert_eq!(spelled(Wrap::Sign, &path), [0, 90, 180, 350, 0, 10, 5, -340, -360, -360, -350]);
         assert_eq!(spelled(Wrap::Sign, &[90, 90, 80, 80, 80]), [90, 90, -80, -80, -80]);
     }

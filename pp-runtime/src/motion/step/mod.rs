@@ -208,6 +208,11 @@ pub enum Step<'a> {
         /// Positions.
         words: AxisWords,
     },
+    /// Comparison of what lies over the work offset: rotation, scale, mirror, shifts that last; the program stops where there is any.
+    OffsetGuard {
+        /// Label that is unique among these steps.
+        label: u32,
+    },
     /// Spindle on.
     Spindle {
         /// rev/min.
@@ -306,6 +311,7 @@ impl Step<'_> {
             Self::LengthGuard { .. } => "length-guard",
             Self::RadiusGuard { .. } => "radius-guard",
             Self::PlaneGuard { .. } => "plane-guard",
+            Self::OffsetGuard { .. } => "offset-guard",
             Self::Spindle { .. } | Self::SpindleOff => "spindle",
             Self::Code { .. } => "code",
             Self::Dwell { .. } => "dwell",

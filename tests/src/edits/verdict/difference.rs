@@ -87,7 +87,7 @@ pub(super) fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> O
         ]),
         (Effect::ToolChange(one), Effect::ToolChange(other)) => hard(one != other, "the tool"),
         (Effect::Shop(one), Effect::Shop(other)) => hard(one != other, "the code of the shop"),
-        (Effect::Stop | Effect::OptionalStop | Effect::End, _) => None,
+        (Effect::Stop | Effect::OptionalStop | Effect::End | Effect::OffsetGuard, _) => None,
         _ => worst([
             effect_difference(one, other, old, allowed),
             moved(was, is, allowed),

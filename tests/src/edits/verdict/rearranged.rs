@@ -32,7 +32,7 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
         return undecided("a rapid in X and Y in two blocks");
     }
     let waits = |extra: &Event<'_>| {
-        matches!(extra.block.effect, Effect::Dwell(_) | Effect::Guard { .. } | Effect::PlaneGuard { .. })
+        matches!(extra.block.effect, Effect::Dwell(_) | Effect::Guard { .. } | Effect::PlaneGuard { .. } | Effect::OffsetGuard)
     };
     if is.get(index).is_some_and(waits) && added() {
         return undecided("a wait is added");
@@ -180,6 +180,7 @@ fn is_free_of(wait: &Event<'_>, event: &Event<'_>) -> bool {
     let moves = event.block.effect.moves() && !event.block.effect.cuts();
     match wait.block.effect {
         Effect::Dwell(_) => moves,
+        Effect::OffsetGuard => matches!(event.block.effect, Effect::Machine | Effect::ToolChange(_)),
         Effect::Guard { .. } => {
             let lengthless = matches!(event.block.effect, Effect::Orient | Effect::Machine)
                 || event.block.words.letters().all(is_rotary);

@@ -64,9 +64,11 @@ fn tokens(mut text: &str) -> Result<Vec<Token>, String> {
     if tokens.is_empty() { Err("an empty line".to_owned()) } else { Ok(tokens) }
 }
 
-/// `5`, `AC(5)`, `IC(5)`.
+/// `5`, `AC(5)`, `DC(5)`, `IC(5)`.
 fn value_of(text: &str) -> Option<(Number, Counting, &str)> {
-    let (counting, inside) = match (text.strip_prefix("AC("), text.strip_prefix("IC(")) {
+    // DC is absolute, by the shorter way.
+    let absolute = text.strip_prefix("AC(").or_else(|| text.strip_prefix("DC("));
+    let (counting, inside) = match (absolute, text.strip_prefix("IC(")) {
         (Some(inside), _) => (Counting::Absolute, inside),
         (_, Some(inside)) => (Counting::Incremental, inside),
         _ => return Number::take(text).map(|(number, rest)| (number, Counting::AsInForce, rest)),

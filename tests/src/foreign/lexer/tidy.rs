@@ -114,7 +114,7 @@ fn siemens(piece: &str, shortest: fn(char, &str) -> bool) -> Result<(), String> 
         (letters == 1).then(|| &piece[1..])
     });
     let number = number.map(|number| {
-        let inside = number.strip_prefix("AC(").or_else(|| number.strip_prefix("IC("));
+        let inside = ["AC(", "DC(", "IC("].iter().find_map(|counts| number.strip_prefix(counts));
         inside.and_then(|inside| inside.strip_suffix(')')).unwrap_or(number)
     });
     let name = !piece.is_empty() && piece.bytes().all(|byte| byte.is_ascii_uppercase());

@@ -40,7 +40,7 @@ pub(super) struct Machine {
 impl Machine {
     /// A control that has just been switched on.
     pub(super) fn new(options: &Options) -> Self {
-        let mut state = State { tool: options.entry.and_then(|entry| entry.tool), ..State::default() };
+        let mut state = State { tool: options.entry.and_then(|entry| entry.tool), ..options.before };
         if options.control == Control::Heidenhain
             && let Some(tool) = state.tool
         {
@@ -76,6 +76,11 @@ impl Machine {
         careful::guard(self)
     }
 
+    /// A guard of what lies over the work offset.
+    pub(super) fn offset_guard(&self) -> Result<(), String> {
+        if self.state.rotated_offset { Err("the guard stops the program".to_owned()) } else { Ok(()) }
+    }
+
     /// Executes a block; what it does, and its axis words.
     pub(super) fn execute(&mut self, mut command: Command) -> Result<(Effect, Axes), String> {
         let mut words = Axes::default();
@@ -98,6 +103,9 @@ impl Machine {
         }
         self.thread_due = written.has(Meaning::RigidTapping) && !thread;
         command.finish()?;
+        if let Some(left) = self.state.left.filter(|_| effect.moves()) {
+            return Err(format!("{left:?} is on from a program before"));
+        }
         careful::effect(self, &written, &effect, &words)?;
         if effect.is_thread() {
             self.state.stopped_by_thread = !self.rapids_at_feed

@@ -18,7 +18,7 @@ use super::super::axes::is_rotary;
 use super::super::lexer::{Number, Token};
 use super::super::meaning::{Address, Command, Meaning, Supply, whole};
 use super::super::state::{
-    Compensation, Distance, FeedMode, Interpolation, MotionMode, Plane, ReturnLevel, Spindle, State, TiltedPlane,
+    Compensation, Distance, FeedMode, Interpolation, LeftOn, MotionMode, Plane, ReturnLevel, Spindle, State, TiltedPlane,
     TipControl, Units, WorkOffset,
 };
 use super::super::{Control, Options};
@@ -39,6 +39,8 @@ static G: &[Row] = &[
     (30, ALL, Meaning::Motion(MotionMode::CounterClockwise)),
     (40, ALL, Meaning::Dwell),
     (51, &[Fanuc], Meaning::Smoothing),
+    (80, &[LinuxCnc], Meaning::Ends(LeftOn::Diameter)),
+    (150, &[Fanuc], Meaning::Ends(LeftOn::Polar)),
     (170, ALL, Meaning::Plane(Plane::Xy)),
     (180, ALL, Meaning::Plane(Plane::Zx)),
     (190, ALL, Meaning::Plane(Plane::Yz)),
@@ -54,10 +56,12 @@ static G: &[Row] = &[
     (434, &[Fanuc], Meaning::LengthWithTipControl(false)),
     (435, &[Fanuc], Meaning::LengthWithTipControl(true)),
     (490, ALL, Meaning::LengthOff),
+    (500, &[Fanuc, Haas], Meaning::Ends(LeftOn::Scaling)),
     (530, ALL, Meaning::MachineCoordinates),
     (531, &[Fanuc], Meaning::Orient),
     (540, ALL, Meaning::WorkOffset(WorkOffset::Code(540))),
     (541, &[Fanuc], Meaning::FurtherOffset),
+    (544, &[Fanuc], Meaning::Ends(LeftOn::SettingError)),
     (550, ALL, Meaning::WorkOffset(WorkOffset::Code(550))),
     (560, ALL, Meaning::WorkOffset(WorkOffset::Code(560))),
     (570, ALL, Meaning::WorkOffset(WorkOffset::Code(570))),
@@ -70,6 +74,7 @@ static G: &[Row] = &[
     (640, ALL, Meaning::Continuous),
     (682, &[Fanuc], Meaning::Tilt),
     (690, &[Fanuc], Meaning::TiltOff),
+    (690, &[Haas], Meaning::Ends(LeftOn::Rotation)),
     (730, ALL, Meaning::Cycle(73)),
     (740, &[Fanuc, Haas], Meaning::Cycle(74)),
     (800, ALL, Meaning::CancelMotion),
@@ -86,6 +91,7 @@ static G: &[Row] = &[
     (930, ALL, Meaning::FeedMode(FeedMode::InverseTime)),
     (940, ALL, Meaning::FeedMode(FeedMode::PerMinute)),
     (950, ALL, Meaning::FeedMode(FeedMode::PerRevolution)),
+    (970, &[LinuxCnc], Meaning::Ends(LeftOn::CuttingSpeed)),
     (980, ALL, Meaning::Return(ReturnLevel::Initial)),
     (990, ALL, Meaning::Return(ReturnLevel::Reference)),
     (1540, &[Haas], Meaning::FurtherOffset),
@@ -204,6 +210,10 @@ impl Reader<'_> {
         if self.command.has(Meaning::Dwell) {
             let time = self.take('P').ok_or("a dwell without its time")?;
             self.command.word(Address::Seconds, self.seconds(time))?;
+        }
+        if self.command.has(Meaning::Ends(LeftOn::SettingError)) {
+            let off = self.take('P').is_some_and(|number| number.value.abs() < 1e-9);
+            off.then_some(()).ok_or("a compensation of the place of the part")?;
         }
         if self.command.has(Meaning::FurtherOffset) {
             let number = self.take('P').ok_or("a work offset without its number")?;

@@ -6,7 +6,7 @@
 use super::super::lexer::Token;
 use super::super::meaning::{Address, Command, Counting, Meaning, Supply};
 use super::super::state::{
-    Compensation, Cycle, CycleKind, Distance, FeedMode, Interpolation, MotionMode, Plane, SMOOTHING, Spindle, State,
+    Compensation, Cycle, CycleKind, Distance, FeedMode, Interpolation, LeftOn, MotionMode, Plane, SMOOTHING, Spindle, State,
     TiltedPlane, Units, VectorFrame, WorkOffset,
 };
 use super::{geometry, others};
@@ -62,6 +62,7 @@ static NAMES: &[(&str, Meaning)] = &[
     ("ORIVECT", Meaning::Interpolation(Interpolation::Vector)),
     ("ORIMKS", Meaning::VectorFrame(VectorFrame::Machine)),
     ("ORIWKS", Meaning::VectorFrame(VectorFrame::Workpiece)),
+    ("TRANS", Meaning::Ends(LeftOn::Shift)),
     ("MCALL", Meaning::ModalCall),
     ("RET", Meaning::End),
     ("STOPRE", Meaning::Idle),

@@ -11,7 +11,7 @@ mod parts;
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::config::{Config, Mode, TcpFrame, TcpWords, ToolPosture, starting_point};
-use pp_runtime::control::{self, Control};
+use pp_runtime::control::{self, Control, TipControlSwitch};
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use pp_runtime::machine;
 use pp_runtime::program::{Event, Feed, MachineFunction, Move, NewStart, Rotation, Spindle, ToolCall, ToolMotion};
@@ -324,7 +324,7 @@ fn unsupported_modes_are_refused_with_the_alternative() {
         config.motion.tip.tcp_confirmed = true;
     };
     assert_eq!(refused(haas, Mode::Plane, &confirmed), "");
-    let codes = |config: &mut Config| config.control.tip_control = Some(["M428".to_owned(), "M429".to_owned()]);
+    let codes = |config: &mut Config| config.control.tip_control = Some(TipControlSwitch::Codes(["M428".to_owned(), "M429".to_owned()]));
     assert_eq!(refused(linuxcnc, Mode::Tcp, &codes), "");
     let config = set_up(Mode::Tcp, None, haas, &mut random);
     let mut unconfirmed = config;

@@ -15,7 +15,7 @@ use nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
 use pp_runtime::check::blocks;
 use pp_runtime::check::read::{Action, Block, Length, TipControl};
 use pp_runtime::config::{Config, GivenTool, Mode};
-use pp_runtime::control::LinuxCnc;
+use pp_runtime::control::{LinuxCnc, TipControlSwitch};
 use pp_runtime::kinematics::{AxisKind, Machine, Pose, PoseTolerance};
 use pp_runtime::machine;
 use pp_runtime::nalgebra;
@@ -102,7 +102,7 @@ pub(crate) fn set_up(mode: Mode) -> Config {
     config.set_up.tools.insert(1, GivenTool { length_mm: Some(LENGTH), ..GivenTool::default() });
     config.motion.retract.distance_mm = Some(50.0);
     if mode == Mode::Tcp {
-        config.control.tip_control = Some(["M428".to_owned(), "M429".to_owned()]);
+        config.control.tip_control = Some(TipControlSwitch::Codes(["M428".to_owned(), "M429".to_owned()]));
     }
     config
 }

@@ -35,6 +35,7 @@ pub(in super::super) enum DutyEvent {
     TipControlOff,
     PlaneCall,
     PlaneGuard,
+    OffsetGuard,
     /// The tool comes to the level of a cycle over its hole.
     LevelOfCycle,
     Cycle,
@@ -52,6 +53,7 @@ pub(in crate::check) enum Duty {
     SpindleAgain,
     TipControlOff,
     PlaneGuard,
+    OffsetGuard,
     CycleAtLevel,
     // What follows is not owed after an event, but seen where it is needed.
     /// The tool is away from the part.
@@ -161,7 +163,7 @@ fn has_own_tip_control(policy: &CheckPolicy) -> bool {
 
 /// What is owed, after what, and until what.
 #[rustfmt::skip]
-pub(super) const OWED: [Owed; 10] = [
+pub(super) const OWED: [Owed; 11] = [
     owed(Duty::CompleteState, &[DutyEvent::Begin, DutyEvent::Motion, DutyEvent::BlockSkip], &[DutyEvent::CompleteState], |_| true),
     owed(Duty::Retract, &[DutyEvent::Begin, DutyEvent::CompleteState, DutyEvent::PositionLost, DutyEvent::ShopLine, DutyEvent::BlockSkip], &[DutyEvent::Retract], |_| true),
     owed(Duty::RetractAfterShopLine, &[DutyEvent::ShopLine], &[DutyEvent::Retract], |_| true),
@@ -171,12 +173,13 @@ pub(super) const OWED: [Owed; 10] = [
     owed(Duty::SpindleAgain, &[DutyEvent::CycleStopsSpindle], &[DutyEvent::SpindleStated], |_| true),
     owed(Duty::TipControlOff, &[DutyEvent::Begin, DutyEvent::CompleteState, DutyEvent::BlockSkip], &[DutyEvent::TipControlOff], has_own_tip_control),
     owed(Duty::PlaneGuard, &[DutyEvent::PlaneCall], &[DutyEvent::PlaneGuard, DutyEvent::Retract, DutyEvent::PositionLost], |policy| policy.shop.guards_planes),
+    owed(Duty::OffsetGuard, &[DutyEvent::Begin, DutyEvent::CompleteState], &[DutyEvent::OffsetGuard], |policy| policy.shop.guards_offset),
     owed(Duty::CycleAtLevel, &[DutyEvent::LevelOfCycle], &[DutyEvent::Cycle, DutyEvent::Motion], |_| true),
 ];
 
 /// What must be so at each place.
 #[rustfmt::skip]
-pub(in crate::check) const NEEDED: [Needed; 53] = [
+pub(in crate::check) const NEEDED: [Needed; 55] = [
     needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
     needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
@@ -228,10 +231,12 @@ pub(in crate::check) const NEEDED: [Needed; 53] = [
     needed(DutyPlace::Operation, Duty::LengthGuard, always, ""),
     needed(DutyPlace::Operation, Duty::ClampsStated, always, ""),
     needed(DutyPlace::Operation, Duty::TipControlOff, always, "tip control may be on: its code off is missing after the restart point and before the retract"),
+    needed(DutyPlace::Operation, Duty::OffsetGuard, always, ""),
     needed(DutyPlace::Operation, Duty::Blank, always, ""),
 
     needed(DutyPlace::Feed, Duty::SpindleDwell, always, "the dwell after the start of the spindle (`spindle_dwell`) is missing"),
     needed(DutyPlace::Cut, Duty::SpindleAgain, always, SPINDLE_AGAIN),
+    needed(DutyPlace::Cut, Duty::OffsetGuard, always, ""),
     needed(DutyPlace::Cut, Duty::CycleAtLevel, always, "the tool has come to the level of a cycle, and this is none"),
     needed(DutyPlace::Cycle, Duty::SpindleAgain, always, SPINDLE_AGAIN),
 

@@ -5,11 +5,12 @@
 //! of TOOL CALL is the normal of the plane.
 //!
 //! What a line begins with is in the table of the language; `words` has the words of a motion, `round` the arcs about CC,
-//! `cycles` CYCL DEF, `plane` PLANE and TCPM, `guard` the length guard. Functions of a statement answer whether all of it is
+//! `cycles` CYCL DEF, `plane` PLANE and TCPM, `guard` the length guard, `plane_guard` and `offset_guard` the others. Functions of a statement answer whether all of it is
 //! known.
 
 mod cycles;
 mod guard;
+mod offset_guard;
 mod plane;
 mod plane_guard;
 mod round;
@@ -17,6 +18,7 @@ mod words;
 
 use self::cycles::Sequence;
 use self::guard::LengthGuard;
+use self::offset_guard::OffsetGuardLines;
 use self::plane_guard::PlaneGuardLines;
 use super::Dialect;
 use super::block::{BlankPart, FeedMode, Side, WorkPlane};
@@ -33,6 +35,7 @@ pub(super) struct Heidenhain {
     pole: [Option<f64>; 3],
     guard: LengthGuard,
     plane_guard: PlaneGuardLines,
+    offset_guard: OffsetGuardLines,
     /// A cycle of several lines.
     sequence: Sequence,
     began: bool,
@@ -67,7 +70,7 @@ impl Dialect for Heidenhain {
     }
 
     fn is_in_guard(&self) -> bool {
-        self.guard.is_open() || self.plane_guard.is_open()
+        self.guard.is_open() || self.plane_guard.is_open() || self.offset_guard.is_open()
     }
 
     fn forget(&mut self) {
@@ -91,12 +94,16 @@ impl Heidenhain {
         if self.plane_guard.is_open() {
             return self.plane_guard.line(line);
         }
+        if self.offset_guard.is_open() {
+            return self.offset_guard.line(line);
+        }
         let row = line.language().words.iter().find(|row| {
             matches!(row.means, Means::Statement(_)) && !row.spelling.starts_with("FN") && line.at.words(row.spelling)
         });
         let named = row.map(|row| (row.spelling, row.means));
         let Some((spelling, Means::Statement(statement))) = named else {
-            return self.guard.line(line) || self.plane_guard.line(line) || words::codes(line) && composed(line, false);
+            let mut guards = || self.guard.line(line) || self.plane_guard.line(line) || self.offset_guard.line(line);
+            return guards() || words::codes(line) && composed(line, false);
         };
         match statement {
             Statement::Line => {

@@ -1,6 +1,7 @@
-//! Guards that compare the length of the tool, each recognised as a whole.
+//! Guards that compare the length of the tool, or what lies over the work offset, each recognised as a whole.
 //!
-//! LinuxCNC: `o1 if [[ABS[#5403 - L] GT tol] AND [ABS[[#5403 * 25.4] - L] GT tol]]`, `(abort, ..)`, `o1 endif`. Fanuc and
+//! LinuxCNC: `o1 if [[ABS[#5403 - L] GT tol] AND [ABS[[#5403 * 25.4] - L] GT tol]]`, or `o1 if [[#5210 NE 0] OR [#[5210 + 20 * #5220]
+//! NE 0]]` (G92 is active, the offset in force is rotated: LinuxCNC 2.9, numbered parameters), `(abort, ..)`, `o1 endif`. Fanuc and
 //! Haas: `IF [ABS[#10021+#11021-L] GT tol] THEN #3000=101 (..)`, or `IF [ABS[..] LT tol] GOTO n`, such an alarm, and the
 //! block `Nn`.
 
@@ -21,9 +22,17 @@ pub(super) struct Guards {
 #[derive(Debug, Clone, Copy)]
 enum Open {
     /// `o1 if`, and whether the abort has come.
-    Condition { label: u32, guard: Guard, aborts: bool },
+    Condition { label: u32, guard: Compared, aborts: bool },
     /// A jump over an alarm, and whether that has come.
     Jump { target: u32, guard: Guard, alarm: bool },
+}
+
+/// What a condition compares.
+#[derive(Debug, Clone, Copy)]
+enum Compared {
+    Length(Guard),
+    /// What lies over the work offset.
+    Offset,
 }
 
 impl Guards {
@@ -52,7 +61,7 @@ impl Guards {
                 let whole = rest.iter().position(|byte| *byte == b')') == Some(rest.trim_ascii_end().len() - 1);
                 line.at.skip(1);
                 if !(whole && line.at.word(b"abort") && line.at.literal(b",")) {
-                    line.fault(0, "`(abort, ..)` expected in the length guard");
+                    line.fault(0, "`(abort, ..)` expected in the guard");
                 }
                 *aborts = true;
                 Some(false)
@@ -72,7 +81,7 @@ impl Guards {
             }
             (open, _) => {
                 *open = None;
-                line.fault(0, "the length guard is not complete before this block");
+                line.fault(0, "the guard is not complete before this block");
                 None
             }
         }
@@ -87,7 +96,7 @@ impl Guards {
         };
         if line.at.word(b"if") {
             let unit = if line.facts().guard_in_mm { 1.0 } else { line.unit() };
-            match spindle_condition(&mut line.at, unit) {
+            match offset_condition(&mut line.at).or_else(|| spindle_condition(&mut line.at, unit)) {
                 Some(guard) if self.open.is_none() => self.open = Some(Open::Condition { label, guard, aborts: false }),
                 _ => line.fault(line.at.column(), "unknown condition"),
             }
@@ -97,11 +106,13 @@ impl Guards {
         let remarks = |rest: &[u8]| matches!(rest, [b';', text @ ..] if !text.contains(&b','));
         if line.at.word(b"endif") && (line.at.ended() || remarks(line.at.rest())) {
             match self.open.take() {
-                Some(Open::Condition { label: opened, mut guard, aborts }) if opened == label => {
-                    guard.stops = aborts;
-                    line.orders.mode(Mode::Guard(guard));
+                Some(Open::Condition { label: opened, guard, aborts }) if opened == label => {
+                    line.orders.mode(match guard {
+                        Compared::Length(guard) => Mode::Guard(Guard { stops: aborts, ..guard }),
+                        Compared::Offset => Mode::OffsetGuard,
+                    });
                     if !aborts {
-                        line.fault(0, "the length guard does not abort the program");
+                        line.fault(0, "the guard does not abort the program");
                     }
                 }
                 _ => line.fault(0, "endif without its condition"),
@@ -115,7 +126,7 @@ impl Guards {
     /// `IF [ABS[#..-L] GT tol] THEN #3000=1 (..)`, and `IF [ABS[#..-L] LT tol] GOTO 5` over such an alarm.
     fn condition(&mut self, line: &mut Line<'_>) -> bool {
         if self.open.take().is_some() {
-            line.fault(0, "the length guard is not complete before this block");
+            line.fault(0, "the guard is not complete before this block");
         }
         let unit = line.unit();
         match register_condition(&mut line.at, unit) {
@@ -147,13 +158,24 @@ impl Guards {
 }
 
 /// `[[ABS[#5403 - L] GT tol] AND [ABS[[#5403 * 25.4] - L] GT tol]]` and nothing after it.
-fn spindle_condition(at: &mut Cursor<'_>, unit: f64) -> Option<Guard> {
+fn spindle_condition(at: &mut Cursor<'_>, unit: f64) -> Option<Compared> {
     let [length, tolerance] = compared(at, b"[[ABS[#5403-", b"]GT")?;
     let again = compared(at, b"]AND[ABS[[#5403*25.4]-", b"]GT")?;
     let whole =
         at.literal(b"]]") && at.ended() && same(again[0], length) && same(again[1], tolerance) && tolerance > 0.0;
     let [length_mm, tolerance_mm] = [length * unit, tolerance * unit];
-    whole.then_some(Guard { length_mm, tolerance_mm, source: LengthSource::Spindle, stops: false })
+    let guard = Guard { length_mm, tolerance_mm, source: LengthSource::Spindle, stops: false };
+    whole.then_some(Compared::Length(guard))
+}
+
+/// `[[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]` and nothing after it; takes nothing if it is something else.
+fn offset_condition(at: &mut Cursor<'_>) -> Option<Compared> {
+    let start = *at;
+    let whole = at.literal(b"[[#5210NE0]OR[#[5210+20*#5220]NE0]]") && at.ended();
+    if !whole {
+        *at = start;
+    }
+    whole.then_some(Compared::Offset)
 }
 
 /// Two numbers, each after a text.

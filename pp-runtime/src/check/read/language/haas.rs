@@ -1,6 +1,6 @@
 //! Haas NGC.
 
-use super::super::block::coolant;
+use super::super::block::{coolant, settled};
 use super::super::orders::LengthCode;
 use super::group;
 use super::{Language, Means, Pattern, Plane, Row, Smoother, iso, sorted};
@@ -12,6 +12,9 @@ const M: &str = "Haas 96-8000 (mill operator's manual), M codes; haascnc.com, pa
 
 const OWN: &[Row] = &[
     Row::new("G4", Means::Dwell, group::ALONE, G).needs("P"),
+    // G68 and G51 are options.
+    Row::new("G50", Means::Settles(settled::SCALING), group::SCALING, G),
+    Row::new("G69", Means::Settles(settled::ROTATION), group::ROTATION, G),
     Row::new("G74", Means::Hole(Pattern::Tap { left: true }), group::MOTION, G).needs("R"),
     Row::new("G76", Means::Hole(Pattern::FineBore), group::MOTION, "Haas 96-8000 (mill operator's manual), p. 187")
         .needs("R")

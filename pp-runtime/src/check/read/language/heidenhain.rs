@@ -69,6 +69,7 @@ const WORDS: &[Row] = &[
     Row::word("FUNCTION RESET TCPM", Means::Statement(Statement::TcpmOff), TCPM),
     Row::word("FN 18:", Means::Statement(Statement::Guard), Q),
     Row::word("FN 1:", Means::Statement(Statement::Guard), Q),
+    Row::word("FN 9:", Means::Statement(Statement::Guard), Q),
     Row::word("FN 12:", Means::Statement(Statement::Guard), Q),
     Row::word("FN 20:", Means::Statement(Statement::Guard), Q),
     Row::word("QL3 =", Means::Statement(Statement::Guard), Q),

@@ -1,6 +1,6 @@
 //! LinuxCNC.
 
-use super::super::block::coolant;
+use super::super::block::{coolant, settled};
 use super::super::orders::Code;
 use super::group;
 use super::{Language, Means, PathCode, Pattern, Row, Statement, iso, sorted};
@@ -13,6 +13,7 @@ const OWN: &[Row] = &[
     Row::new("G2", Means::Motion(Code::Clockwise), group::MOTION, G).takes("IJKRP"),
     Row::new("G3", Means::Motion(Code::CounterClockwise), group::MOTION, G).takes("IJKRP"),
     Row::new("G4", Means::Dwell, group::ALONE, G).needs("P"),
+    Row::new("G8", Means::Settles(settled::DIAMETER), group::DIAMETER, G),
     Row::new("G33.1", Means::Motion(Code::RigidTap), group::MOTION, G).needs("K"),
     Row::new("G59.1", Means::Offset, group::OFFSET, G),
     Row::new("G59.2", Means::Offset, group::OFFSET, G),
@@ -24,6 +25,7 @@ const OWN: &[Row] = &[
     Row::new("G84", Means::Hole(Pattern::FloatingTap { left: false }), group::MOTION, G).needs("R").takes("P"),
     Row::new("G90.1", Means::ArcCentres { absolute: true }, group::CENTRE, G),
     Row::new("G91.1", Means::ArcCentres { absolute: false }, group::CENTRE, G),
+    Row::new("G97", Means::Settles(settled::CUTTING_SPEED), group::SPINDLE_MODE, G),
     Row::new("M7", Means::CoolantOn(coolant::MIST), group::COOLANT, "LinuxCNC 2.9 M-code documentation"),
 ];
 

@@ -53,6 +53,13 @@ pub(super) mod group {
     pub(in super::super) const POSTURE: u32 = 24;
     pub(in super::super) const FRAME: u32 = 25;
     pub(in super::super) const DYNAMIC_OFFSET: u32 = 26;
+    pub(in super::super) const SCALING: u32 = 27;
+    pub(in super::super) const POLAR: u32 = 28;
+    pub(in super::super) const SETTING_ERROR: u32 = 29;
+    pub(in super::super) const SPINDLE_MODE: u32 = 30;
+    pub(in super::super) const DIAMETER: u32 = 32;
+    pub(in super::super) const ROTATION: u32 = 33;
+    pub(in super::super) const SHIFT: u32 = 34;
     /// Codes of no modal group.
     pub(in super::super) const FREE: u32 = 31;
 }

@@ -11,7 +11,7 @@ use super::{Language, Letters, Row};
 const HEADS: [&str; 8] = ["spelling", "meaning", "reads", "changes", "moves", "takes", "group", "source"];
 
 /// Names of the groups of which a block has one code, by their number.
-const GROUPS: [(u32, &str); 26] = [
+const GROUPS: [(u32, &str); 33] = [
     (group::MOTION, "motion"),
     (group::PLANE, "plane"),
     (group::DISTANCE, "distance"),
@@ -38,6 +38,13 @@ const GROUPS: [(u32, &str); 26] = [
     (group::POSTURE, "posture"),
     (group::FRAME, "frame"),
     (group::DYNAMIC_OFFSET, "dynamic offset"),
+    (group::SCALING, "scaling"),
+    (group::POLAR, "polar coordinates"),
+    (group::SETTING_ERROR, "setting error"),
+    (group::SPINDLE_MODE, "meaning of S"),
+    (group::DIAMETER, "diameter"),
+    (group::ROTATION, "rotation"),
+    (group::SHIFT, "shift"),
 ];
 
 /// Name of a group; `None` where it is no modal group.

@@ -1,6 +1,6 @@
 //! Siemens 840D sl and ONE.
 
-use super::super::block::{FeedMode, Side, WorkPlane, coolant};
+use super::super::block::{FeedMode, Side, WorkPlane, coolant, settled};
 use super::super::orders::Code;
 use super::arguments::SIEMENS;
 use super::group;
@@ -90,6 +90,14 @@ const WORDS: &[Row] = &[
     Row::word("ORIVECT", Means::Interpolation { in_plane: true }, JOBS).of(group::POSTURE),
     Row::word("ORIMKS", Means::Frame { in_workpiece: false }, JOBS).of(group::FRAME),
     Row::word("ORIWKS", Means::Frame { in_workpiece: true }, JOBS).of(group::FRAME),
+    Row::word(
+        "TRANS",
+        Means::Settles(settled::SHIFT),
+        "Siemens programming manual 12/2019 (6FC5398-2EP40-0BA0), p. 631: it belongs to $P_PFRAME with ROT, SCALE and MIRROR; alone it \
+         clears them (from memory)",
+    )
+    .of(group::SHIFT)
+    .alone(),
     Row::word("MCALL", Means::Statement(Statement::ModalCall), JOBS).of(group::CALL).alone(),
     Row::word("RET", Means::End, JOBS).of(group::STOP),
     Row::word("STOPRE", Means::Harmless("look-ahead stops: the blocks before are executed first"), JOBS),

@@ -1,6 +1,6 @@
 //! What codes and words mean, in words of the shop: the texts of the printed table.
 
-use super::super::block::{FeedMode, Side};
+use super::super::block::{FeedMode, Side, settled};
 use super::super::orders::{Code, LengthCode};
 use super::{Address, Means, PathCode, Pattern, Plane, Statement};
 use crate::program::{Rotation, Units};
@@ -86,6 +86,15 @@ impl Means {
             Self::CallCycle => "the defined cycle at the end of this block",
             Self::Address(address) => address.text(),
             Self::Statement(statement) => statement.text(),
+            Self::Settles(bit) => match bit {
+                settled::DIAMETER => "X is a radius",
+                settled::CUTTING_SPEED => "S is a speed in rev/min",
+                settled::SHIFT => "programmed shift, rotation, scale and mirror off",
+                settled::SCALING => "scaling off",
+                settled::ROTATION => "rotation of the coordinates off",
+                settled::POLAR => "polar coordinates off",
+                _ => "workpiece setting error compensation off",
+            },
             Self::Harmless(reason) => reason,
         }
     }
@@ -137,6 +146,7 @@ impl Means {
             Self::CallCycle => ["cycle, plane", "position", "Z in and out"],
             Self::Address(address) => address.effect(),
             Self::Statement(statement) => statement.effect(),
+            Self::Settles(_) => ["none", "what a program before may have left", "none"],
             Self::Harmless(_) => ["none", "none", "none"],
         }
     }

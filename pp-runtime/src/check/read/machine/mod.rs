@@ -95,6 +95,8 @@ pub(super) struct Interpreter {
     motion: MotionModes,
     /// Bits of [`stated`], since a complete state began.
     stated: u8,
+    /// Bits of [`settled`], since the last cut: those before the block that begins a complete state belong to it.
+    settled: u32,
     frames: Frames,
 }
 
@@ -159,6 +161,7 @@ impl Interpreter {
             turned: 0,
             motion: MotionModes::default(),
             stated: 0,
+            settled: 0,
             frames: Frames::default(),
         }
     }
@@ -178,6 +181,7 @@ impl Interpreter {
         self.turned |= before.turned;
         self.known &= before.known & same.fold(0, |bits, index| bits | 1 << index);
         self.stated &= before.stated;
+        self.settled &= before.settled;
         self.motion = self.motion.and(&before.motion);
         let (now, then) = (&mut self.state, &before.state);
         self.frames.unknown |= before.frames.unknown;
@@ -259,10 +263,11 @@ impl Interpreter {
     pub(super) fn move_along(&mut self, motion: &Motion, feed: Option<f64>, block: &mut Block) {
         (block.written, block.only_moves) = (motion.axes.written, true);
         (block.frame_faults, block.restart, block.early, block.goes_on) = (0, false, None, false);
-        (block.guard, block.radius_guard_mm, block.plane_guard, block.blank) = (None, None, None, None);
+        block.forget_guards();
         (block.known_before, block.stated) = (self.known, self.stated);
         self.set_feed(feed);
         block.action = self.moving(motion, block);
+        self.settled = 0;
         if self.facts.stops_spindle(&block.action) {
             self.stated &= !stated::SPINDLE;
             block.stated = self.stated;
@@ -278,7 +283,7 @@ impl Interpreter {
         block.frame_faults = orders.frame_faults;
         block.only_moves = orders.only_moves();
         block.restart = orders.has(|mode| matches!(mode, Mode::Restart | Mode::Units(_)));
-        (block.guard, block.radius_guard_mm, block.plane_guard, block.blank) = (None, None, None, None);
+        block.forget_guards();
         (block.early, block.goes_on) = (None, false);
         self.thread(orders, block);
         if self.state.feed_mode == Some(super::block::FeedMode::InverseTime) && orders.speaks {
@@ -303,7 +308,7 @@ impl Interpreter {
         block.faults.clear();
         (block.own, block.goes_on, block.frame_faults) = (None, true, 0);
         (block.restart, block.only_moves, block.early) = (false, false, None);
-        (block.guard, block.radius_guard_mm, block.plane_guard, block.blank) = (None, None, None, None);
+        block.forget_guards();
         self.act(orders, step, block);
         true
     }
@@ -320,6 +325,9 @@ impl Interpreter {
         if let Some(act) = orders.acts.get(step) {
             block.values = self.values;
             block.action = self.carry_out(act, block);
+            if block.action.cuts() {
+                self.settled = 0;
+            }
             machine_values = block.action.leaves_words().then_some(block.values);
         }
         if self.frames.unknown != 0 {
@@ -383,6 +391,9 @@ impl Interpreter {
 
     /// Records the states that the block programs explicitly.
     fn state_bits(&mut self, orders: &Orders, block: &mut Block) {
+        let settled = orders.all_modes().fold(0, |bits, mode| bits | mode.settles());
+        self.settled |= settled;
+        self.state.settled = if block.restart { self.settled } else { self.state.settled | settled };
         if block.restart {
             self.stated = 0;
         }
@@ -451,7 +462,7 @@ impl Interpreter {
             if self.facts.form == Form::Statements {
                 (self.state.units, self.state.incremental) = (units, incremental);
             }
-            (self.motion, self.stated) = (MotionModes::default(), 0);
+            (self.motion, self.stated, self.settled) = (MotionModes::default(), 0, 0);
             self.frames.lose();
         }
         block.stated = self.stated;
@@ -474,6 +485,7 @@ impl Interpreter {
             state.length = None;
         }
         (self.motion.code, self.motion.cycle, self.motion.canned) = (None, None, None);
+        (self.settled, self.state.settled) = (0, 0);
         self.stated &= !(stated::OFFSET | stated::MODES);
     }
 }

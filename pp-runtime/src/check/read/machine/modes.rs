@@ -52,6 +52,7 @@ impl Interpreter {
                 }
                 (state.side, state.side_unknown) = (Some(side), false);
             }
+            Mode::Settles(_) => {}
             Mode::Incremental(on) => state.incremental = Some(on),
             Mode::AbsoluteCentres(on) => state.absolute_centres = Some(on),
             Mode::ReturnToInitial(initial) => state.to_initial = Some(initial),
@@ -111,6 +112,7 @@ impl Interpreter {
             Mode::Guard(guard) => block.guard = Some(guard),
             Mode::RadiusGuard(largest_mm) => block.radius_guard_mm = Some(largest_mm),
             Mode::PlaneGuard(guard) => block.plane_guard = Some(guard),
+            Mode::OffsetGuard => block.offset_guard = true,
             Mode::Blank(part) => block.blank = Some(part),
         }
     }

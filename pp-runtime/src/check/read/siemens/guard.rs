@@ -1,11 +1,16 @@
 //! Guards: `IF ABS($P_TOOLL[1]-L)>tol`, `MSG("..")`, `M0`, `M30`, `ENDIF`, each a line. That of the radius begins with
 //! `IF ABS($P_TOOLR)>tol`, that of rotary positions with `IF ABS(SIN(($AA_IW[B]-30)/2))+ABS(SIN(($AA_IW[C]+20)/2))>t`; SIN is
 //! in degrees, and reading `$AA_IW` stops the look-ahead.
+//! That of what lies over the work offset has rotation, scale and mirror of X, Y and Z of `$P_ACTFRAME`, the chain of all frames
+//! (programming manual 12/2019, 6FC5398-2EP40-0BA0, p. 631 and 636).
 
 use super::super::block::{Guard, LengthSource, RotaryGuard};
 use super::super::line::Line;
 use super::super::orders::Mode;
 use super::super::text::Cursor;
+
+/// Largest sum of rotations in degrees, and of deviations of scales from 1, that a guard lets pass.
+const LARGEST_SUM: f64 = 1e-3;
 
 /// The guard that has begun.
 #[derive(Debug, Clone, Copy, Default)]
@@ -19,6 +24,7 @@ enum Open {
     Length(Guard),
     Radius(f64),
     Plane(RotaryGuard),
+    Offset,
 }
 
 /// How far a guard stops the program: M0 shows its message, and M30 ends the program whatever the operator does.
@@ -44,12 +50,14 @@ impl Guards {
             return None;
         }
         let unit = if line.facts().guard_in_mm { 1.0 } else { line.unit() };
-        self.open = positions(line).or_else(|| condition(&mut line.at, unit)).map(|guard| (guard, Stops::default()));
+        let offset = is_offset(&mut line.at).then_some(Open::Offset);
+        let guard = offset.or_else(|| positions(line)).or_else(|| condition(&mut line.at, unit));
+        self.open = guard.map(|guard| (guard, Stops::default()));
         if self.open.is_none() {
             line.fault(
                 0,
-                "unknown condition: the check reads `IF ABS($P_TOOLL[1]-L)>t`, `IF ABS($P_TOOLR)>t` and \
-                 `IF ABS(SIN(($AA_IW[B]-30)/2))>t`",
+                "unknown condition: the check reads `IF ABS($P_TOOLL[1]-L)>t`, `IF ABS($P_TOOLR)>t`, \
+                 `IF ABS(SIN(($AA_IW[B]-30)/2))>t` and that of rotation, scale and mirror of `$P_ACTFRAME`",
             );
             return Some(true);
         }
@@ -67,6 +75,7 @@ impl Guards {
                 Open::Length(guard) => Mode::Guard(guard),
                 Open::Radius(largest_mm) => Mode::RadiusGuard(largest_mm),
                 Open::Plane(guard) => Mode::PlaneGuard(guard),
+                Open::Offset => Mode::OffsetGuard,
             });
             return true;
         }
@@ -122,6 +131,21 @@ fn condition(at: &mut Cursor<'_>, unit: f64) -> Option<Open> {
     let [length_mm, tolerance_mm] = [length * unit, tolerance * unit];
     let guard = Guard { length_mm, tolerance_mm, source: LengthSource::Edge, stops: true };
     (at.ended() && tolerance > 0.0).then_some(Open::Length(guard))
+}
+
+/// `(ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[X,SC]-1)+..>t) OR $P_ACTFRAME[X,MI] ..`, and nothing after it; takes nothing if it is
+/// something else.
+fn is_offset(at: &mut Cursor<'_>) -> bool {
+    let start = *at;
+    let whole = at.literal(b"(ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])")
+        && at.literal(b"+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>")
+        && at.spaced_number().is_some_and(|largest| largest.value > 0.0 && largest.value <= LARGEST_SUM)
+        && at.literal(b")OR$P_ACTFRAME[X,MI]OR$P_ACTFRAME[Y,MI]OR$P_ACTFRAME[Z,MI]")
+        && at.ended();
+    if !whole {
+        *at = start;
+    }
+    whole
 }
 
 /// `MSG("..")`.

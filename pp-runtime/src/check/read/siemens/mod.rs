@@ -186,6 +186,7 @@ fn value(at: &mut Cursor<'_>) -> Option<(Number, Counts)> {
     let counts = match at.letters() {
         b"AC" => Counts::Absolute,
         b"IC" => Counts::Incremental,
+        b"DC" => Counts::Shortest,
         _ => return None,
     };
     at.take(b'(').then_some(())?;

@@ -29,6 +29,8 @@ struct Address {
     bit: u16,
     word: WordForm<'static>,
     linear: bool,
+    /// Text after the number: `)` of `C=DC(350)`.
+    after: &'static str,
 }
 
 /// Writes blocks in the codes of a control, and leaves out words that are in force.
@@ -37,6 +39,8 @@ pub(crate) struct ModalWriter<'a> {
     writer: Writer<'a>,
     /// Axes in the order of their words in a block.
     axes: Vec<Address>,
+    /// A word of an axis has text after its number.
+    has_shortest: bool,
     /// F with each number of decimals.
     feed_words: [WordForm<'static>; 7],
     /// Words of the centre of an arc: distances from its start along X, Y and Z.
@@ -84,8 +88,14 @@ fn addresses(control: &dyn Control, layout: &Layout, numerals: Numerals) -> Vec<
         .map(|(index, letter, decimals)| {
             let name = layout.options.axes.get(&letter).cloned().unwrap_or_else(|| letter.to_string());
             // The configuration was refused if the control permits no axis of this name.
-            let word = WordForm::new(control.axis_word(&name).unwrap_or(name), decimals, numerals);
-            Address { index, bit: 1 << index, word, linear: "XYZUVW".contains(letter) }
+            let name = control.axis_word(&name).unwrap_or(name);
+            let shortest = control.spellings().shortest_word.filter(|_| layout.shortest_axes.contains(&letter));
+            let (name, after) = match shortest {
+                Some([before, after]) => (format!("{}{before}", name.trim_end_matches('=')), after),
+                None => (name, ""),
+            };
+            let word = WordForm::new(name, decimals, numerals);
+            Address { index, bit: 1 << index, word, linear: "XYZUVW".contains(letter), after }
         })
         .collect()
 }
@@ -99,7 +109,7 @@ fn posture(codes: &Spellings, layout: &Layout) -> &'static str {
 
 /// Code that calls the length offset and switches on tip control, where one does both.
 fn tip_length_code(codes: &Spellings, layout: &Layout, vectors: Option<&ToolAxisWords>) -> Option<&'static str> {
-    let tip = codes.tip.as_ref().filter(|_| layout.options.tip_control.is_none())?;
+    let tip = codes.tip.as_ref().filter(|_| layout.options.tip_control_codes().is_none())?;
     vectors.map_or(tip.with_length, |vectors| vectors.with_length)
 }
 
@@ -119,7 +129,7 @@ fn values(control: &dyn Control, layout: &Layout, numerals: Numerals) -> Values 
         work_offset: control.work_offset(&layout.work_offset).unwrap_or_else(|| layout.work_offset.clone()),
         path_tolerance: text(path_tolerance, Numerals { plus: false, ..numerals }),
         angle_deg: options.smoothing_angle_rad.map(f64::to_degrees),
-        rotary_path: codes.rotary_path[usize::from(layout.shortest_path)],
+        rotary_path: codes.rotary_path[usize::from(!layout.shortest_axes.is_empty())],
         posture: options.posture_word.then(|| posture(codes, layout)),
         swivel_data: format!("\"{}\"", options.swivel_data.as_deref().unwrap_or_default()),
         numerals,
@@ -139,10 +149,12 @@ impl<'a> ModalWriter<'a> {
             (false, BlockNumbers::Restarts | BlockNumbers::ToolChanges | BlockNumbers::None) => Numbering::None,
         };
         let vectors = codes.tip.as_ref().and_then(|tip| tip.vectors.as_ref()).filter(|_| layout.vectors);
+        let axes = addresses(control, layout, numerals);
         Self {
             codes,
             writer: Writer::new(out, numbering),
-            axes: addresses(control, layout, numerals),
+            has_shortest: axes.iter().any(|axis| !axis.after.is_empty()),
+            axes,
             feed_words: std::array::from_fn(|decimals| {
                 WordForm::new("F", decimals as u32, Numerals { plus: false, ..numerals })
             }),
@@ -307,7 +319,14 @@ impl<'a> ModalWriter<'a> {
     fn words_of(&mut self, words: &AxisWords, written: u16) {
         let written = if self.every_word { words.mask } else { written };
         let changed = self.axes.iter().filter(|axis| written & axis.bit != 0);
-        self.writer.words(changed.map(|axis| (&axis.word, words.units[axis.index])));
+        if self.has_shortest {
+            for axis in changed {
+                self.writer.words([(&axis.word, words.units[axis.index])]);
+                self.writer.attach(axis.after);
+            }
+        } else {
+            self.writer.words(changed.map(|axis| (&axis.word, words.units[axis.index])));
+        }
         self.modal.set_axes(words, written);
         if let Some(vector) = words.vector
             && self.vectors.is_some()
@@ -323,7 +342,7 @@ impl<'a> ModalWriter<'a> {
         let position =
             |address: &Address| words.units[address.index] as f64 / 10_f64.powi(address.word.decimals() as i32);
         let rotary = self.axes.iter().filter(|address| words.has(address.index));
-        rotary.map(|address| (address.word.letters().trim_end_matches('=').to_owned(), position(address))).collect()
+        rotary.map(|address| (address.word.letters().split('=').next().unwrap_or_default().to_owned(), position(address))).collect()
     }
 
     /// Writes a word in the number format of axes, whether it is in force or not.

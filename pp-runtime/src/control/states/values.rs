@@ -113,16 +113,21 @@ impl ControlState {
     /// What it is, with its source.
     pub(crate) fn title(&self) -> String {
         let Self { key, what, .. } = self;
-        match self.source {
-            "from memory" => format!("{key} ({what}; from memory)"),
-            _ => format!("{key} ({what})"),
+        match self.is_from_memory() {
+            true => format!("{key} ({what}; from memory)"),
+            false => format!("{key} ({what})"),
         }
+    }
+
+    /// No public page has it.
+    pub(super) fn is_from_memory(&self) -> bool {
+        self.source == "from memory"
     }
 }
 
 /// Value of a key: states of the control by their names, `{ "setting 22" = 1.0 }`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct States;
+pub(in crate::control) struct States;
 
 /// A length.
 const VALUE: Measure = Measure::length(Bound::NotNegative);

@@ -1,0 +1,40 @@
+//! States of LinuxCNC.
+
+use super::StateHandling::{Compared, InWord, Noted, Set, Stated};
+use super::StateUse::{Compensation, Cycles, Every, Rotary};
+use super::{LENGTH, StateRow, state};
+
+const STOP: &str = "interp_convert.cc, convert_stop";
+const CODES: &str = "LinuxCNC 2.9 G-code documentation";
+const PARAMETERS: &str = "LinuxCNC 2.9 G-code overview, numbered parameters";
+
+#[rustfmt::skip]
+pub(super) const STATES: &[StateRow] = &[
+    state("G81 to G89", "a block of X and Y makes a hole", InWord("the first motion has its own G0, which ends a cycle"), Every, CODES),
+    state("G98, G99", "level after a hole", InWord("in the block of each cycle"), Cycles, CODES),
+    state("F of G93", "time of a block", InWord("F in each block"), Rotary, CODES),
+    state("G20, G21", "unit of lengths; M2 keeps it", Set("G20 or G21"), Every, STOP),
+    state("G18, G19", "plane of arcs, cycles and compensation", Set("G17"), Every, STOP),
+    state("G41, G42", "the path lies beside the words", Set("G40"), Every, STOP),
+    state("G43", "Z lies beside its words; M2 keeps it", Set("G49"), Every, STOP),
+    state("G91", "words are distances", Set("G90"), Every, STOP),
+    state("G90.1", "I J K are absolute; M2 keeps it", Set("G91.1"), Every, STOP),
+    state("G93, G95", "meaning of F", Set("G94"), Every, STOP),
+    state("G7", "X is a diameter; M2 keeps it", Set("G8"), Every, STOP),
+    state("G96", "S is a cutting speed; M2 keeps it", Set("G97"), Every, STOP),
+    state("G54 to G59.3", "zero of the words", Set("the code of `work_offset`"), Every, STOP),
+    state("G61, G64", "corners are rounded; M2 keeps it", Set("G64 P"), Every, STOP),
+    state("kinematics with tip control", "linear words are tip coordinates, from the start of the control as well", Set("the off code of `control.tip_control`; \"none\" and \"always\" are stated in the header"), Rotary, "linuxcnc.org, switchable kinematics; configs/sim/axis/vismach/5axis"),
+    state("G92, G52 (#5210)", "zero of the words; survives M2", Compared("#5210", "no G92 or G52 is active (#5210 = 0)"), Every, PARAMETERS)
+        .because("G92.1 would clear what the shop has set"),
+    state("R of the work offset (#5230, 20 more for each further offset)", "rotates the words about the zero", Compared("the parameter of the offset in force", "the R of the work offset is 0 (#5230 for G54)"), Every, PARAMETERS)
+        .because("G10 L2 R0 would clear what a probing screen has set"),
+    state("tool table", "length of H", Compared(LENGTH, "the tool table has the lengths of the tools (Z)"), Every, "LinuxCNC 2.9, tool compensation")
+        .because("the length is that of the real tool"),
+    state("WRAPPED_ROTARY", "words of rotary axes beyond a revolution", Noted(|codes| codes.rotary_note), Rotary, "linuxcnc.org, INI configuration")
+        .because("it is an entry of the INI file that no code reads"),
+    state("diameter in the tool table", "offset of G41 D and G42 D", Noted(|codes| codes.radius_data[0]), Compensation, "LinuxCNC handbook, nodes 85 and 86")
+        .because("#5410 is that of the tool in the spindle, not of D"),
+    state("spindle", "S and M3 without $ are those of spindle 0", Stated("the tool is in spindle 0"), Every, CODES)
+        .because("a machine with one spindle takes no $"),
+];

@@ -1,0 +1,49 @@
+//! Rows of the table, their reasons, and what the check asks for beside them.
+
+use super::{StateHandling, from_memory, of};
+use crate::control::CONTROLS;
+
+/// Most rows of a control that are from memory.
+const MOST_FROM_MEMORY: usize = 8;
+
+#[test]
+fn every_control_has_its_states_and_few_are_from_memory() {
+    for control in CONTROLS {
+        let name = control.spellings().name;
+        assert!(of(name).len() > 10, "{name}");
+        assert!(from_memory(name) <= MOST_FROM_MEMORY, "{name}: {}", from_memory(name));
+    }
+}
+
+#[test]
+fn a_row_of_a_later_way_has_the_reason_why_no_way_before_it_is_possible() {
+    for control in CONTROLS {
+        for row in of(control.spellings().name) {
+            let first = matches!(row.by, StateHandling::InWord(_) | StateHandling::Set(_));
+            assert_eq!(first, row.reason.is_empty(), "{}: {}", control.spellings().name, row.name);
+        }
+    }
+}
+
+#[test]
+fn codes_that_the_table_sets_are_in_the_blocks_of_a_restart_point() {
+    for control in CONTROLS {
+        let codes = control.spellings();
+        for row in of(codes.name) {
+            let written = |code: &str| {
+                let blocks = codes.safety.iter().copied().chain(codes.cancels.iter().map(|cancel| cancel.block));
+                blocks.into_iter().any(|block| block == code || block.split(' ').any(|word| word == code))
+            };
+            match row.by {
+                StateHandling::Set(code) if !code.contains([' ', ',']) => assert!(written(code), "{}: {code}", codes.name),
+                StateHandling::SetWhere(function, code) => {
+                    let reset = codes.plane.as_ref().is_some_and(|plane| plane.reset.contains(&code));
+                    let offset = codes.tip.as_ref().and_then(|tip| tip.dynamic_offset).is_some_and(|[_, off]| off == code);
+                    let cancel = codes.cancels.iter().any(|cancel| cancel.block == code && cancel.of == function);
+                    assert!(reset || offset || cancel, "{}: {code}", codes.name);
+                }
+                _ => {}
+            }
+        }
+    }
+}
