@@ -136,7 +136,10 @@ pub(crate) fn assumptions(
     }
     let rotary = machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held);
     if rotary && control.spellings().may_begin_in_tip_control && config.control.tip_control.is_none() {
-        list.push("the control has no kinematics with tip control in force, from its start (`control.tip_control`)".to_owned());
+        list.push(
+            "the control has no kinematics with tip control in force, from its start (`control.tip_control`)"
+                .to_owned(),
+        );
     }
     for state in states(control, config, survey).filter(|state| !config.control.states.contains_key(state.key)) {
         list.push(format!("{} is {}", state.title(), state.needed));
@@ -165,7 +168,9 @@ pub(crate) fn assumptions(
             Wrap::Positive | Wrap::Symmetric => {
                 let note = control.spellings().shortest_note;
                 let note = if note.is_empty() { String::new() } else { format!(": {note}") };
-                list.push(format!("{letter} rolls over, and the control moves it to every angle by the shortest path{note}"));
+                list.push(format!(
+                    "{letter} rolls over, and the control moves it to every angle by the shortest path{note}"
+                ));
             }
             Wrap::Sign => {
                 list.push(format!("{letter} rolls over, and the control rotates it in the direction of the sign"))
@@ -248,7 +253,12 @@ pub(crate) fn set_up(machine: &dyn AnyMachine, control: &dyn Control, config: &C
 }
 
 /// Conditions on the states of the control, one sentence each.
-pub(crate) fn conditions(machine: &dyn AnyMachine, control: &dyn Control, config: &Config, survey: &Survey) -> Vec<String> {
+pub(crate) fn conditions(
+    machine: &dyn AnyMachine,
+    control: &dyn Control,
+    config: &Config,
+    survey: &Survey,
+) -> Vec<String> {
     let rotary = machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held);
     let native = config.motion.cycles.output == CycleOutput::Native && config.motion.lift_mm.is_none();
     let uses = ProgramUses {
@@ -501,7 +511,11 @@ impl Header<'_> {
             )
         });
         lines.extend(self.machine_lines(tolerances));
-        lines.extend(conditions(self.machine, self.job.control, config, self.survey).into_iter().map(|condition| format!("CONDITION {condition}")));
+        lines.extend(
+            conditions(self.machine, self.job.control, config, self.survey)
+                .into_iter()
+                .map(|condition| format!("CONDITION {condition}")),
+        );
         lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
         lines
     }

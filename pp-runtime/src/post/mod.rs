@@ -175,14 +175,18 @@ impl Report {
     pub fn summary(&self) -> Vec<String> {
         let conditions = match self.conditions.len() {
             0 => None,
-            count => Some(format!("{} on the control: in the header and on the set-up sheet", counted(count as u64, "condition"))),
+            count => Some(format!(
+                "{} on the control: in the header and on the set-up sheet",
+                counted(count as u64, "condition")
+            )),
         };
         self.summary_with(&time::lines(&self.times), conditions.as_slice())
     }
 
     /// The same with the conditions on the control, and without machining times, for a document that has those of the executed program.
     pub(crate) fn summary_without_times(&self) -> Vec<String> {
-        let conditions: Vec<String> = self.conditions.iter().map(|condition| format!("condition: {condition}")).collect();
+        let conditions: Vec<String> =
+            self.conditions.iter().map(|condition| format!("condition: {condition}")).collect();
         self.summary_with(&time::speeds(&self.times), &conditions)
     }
 

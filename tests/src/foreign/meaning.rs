@@ -3,8 +3,8 @@
 //! A table turns the text of its control into a [`Command`]; the machine executes commands and knows no text.
 
 use super::state::{
-    Compensation, Cycle, Distance, FeedMode, Interpolation, LeftOn, MotionMode, Plane, ReturnLevel, RotaryPath, Spindle,
-    TiltedPlane, Units, VectorFrame, WorkOffset,
+    Compensation, Cycle, Distance, FeedMode, Interpolation, LeftOn, MotionMode, Plane, ReturnLevel, RotaryPath,
+    Spindle, TiltedPlane, Units, VectorFrame, WorkOffset,
 };
 
 /// Meaning of a code.

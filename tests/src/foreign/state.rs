@@ -3,6 +3,7 @@
 //! `None` means that the program has not set it since it was entered. Lengths count in the unit of the program, angles in
 //! degrees, the spindle in rev/min.
 
+use super::Control;
 use super::axes::Axes;
 
 /// Unit of lengths.
@@ -273,6 +274,29 @@ pub enum LeftOn {
     SettingError,
 }
 
+/// States that a program before has left on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct LeftOnes(u8);
+
+impl LeftOnes {
+    /// These.
+    #[must_use]
+    pub fn of(left: &[LeftOn]) -> Self {
+        Self(left.iter().fold(0, |bits, left| bits | 1 << *left as u8))
+    }
+
+    /// Ends one.
+    pub fn end(&mut self, left: LeftOn) {
+        self.0 &= !(1 << left as u8);
+    }
+
+    /// Whether one is on.
+    #[must_use]
+    pub fn any(self) -> bool {
+        self.0 != 0
+    }
+}
+
 /// Modal state of a control.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct State {
@@ -323,7 +347,7 @@ pub struct State {
     /// The zero of the words follows the table (G254).
     pub dynamic_offset: bool,
     /// What a program before has left on.
-    pub left: Option<LeftOn>,
+    pub left: LeftOnes,
     /// A rotation lies over the work offset.
     pub rotated_offset: bool,
     /// Canned cycle that is defined or called modally.
@@ -351,6 +375,31 @@ pub struct State {
 }
 
 impl State {
+    /// What a program before may have left on a control that has nothing but what every machine has.
+    #[must_use]
+    pub fn left_on(control: Control) -> Self {
+        let tilt = TiltedPlane {
+            rotation: [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
+            origin: [7.0, 0.0, 0.0],
+            oriented: true,
+            solution: 0,
+        };
+        let framed = Self {
+            tip_control: Some(TipControl::On { start: Axes::default(), vectors: false }),
+            tilt: Some(Some(tilt)),
+            ..Self::default()
+        };
+        let offset = Self { compensation: Some(Compensation::Left(None)), ..Self::default() };
+        match control {
+            Control::LinuxCnc => Self { left: LeftOnes::of(&[LeftOn::Diameter, LeftOn::CuttingSpeed]), ..offset },
+            Control::Fanuc | Control::Haas => offset,
+            Control::Siemens => {
+                Self { left: LeftOnes::of(&[LeftOn::Shift]), compensation: offset.compensation, ..framed }
+            }
+            Control::Heidenhain => framed,
+        }
+    }
+
     /// Whether words are coordinates of the tool tip.
     #[must_use]
     pub fn under_tip_control(&self) -> bool {

@@ -339,7 +339,7 @@ attacks! {
             (Text("IF ABS", 0), Replace("P_TOOLL[1]", "P_TOOLL[2]")),
         ]),
         (HEIDENHAIN, ALL, GUARD, &[
-            (Text("FN 18: SYSREAD QL1", 0), Delete(9)), (Text("FN 18: SYSREAD QL1", 0), Replace("IDX1", "IDX2")),
+            (Text("FN 18: SYSREAD QL1 = ID50", 0), Delete(9)), (Text("FN 18: SYSREAD QL1 = ID50", 0), Replace("IDX1", "IDX2")),
             (Text("FN 14: ERROR", 0), Delete(1)),
         ]),
     ];

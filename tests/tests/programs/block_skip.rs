@@ -91,7 +91,9 @@ fn the_program_is_right_with_the_marked_blocks_and_without_them() {
         for mode in ["axes", "auto"] {
             let config = config(
                 *control,
-                &format!("mode = '{mode}'\nlength_guard = false\nplane_guard = false\n[control]\npreselect = false\n"),
+                &format!(
+                    "mode = '{mode}'\nlength_guard = false\nplane_guard = false\noffset_guard = false\n[control]\npreselect = false\n"
+                ),
             );
             let program = posted::<SpinnerU5620>(&config, *control, &with_skip());
             let lines = program.lines().filter(|line| !continues(line, *control));

@@ -160,7 +160,9 @@ impl Long {
     fn posted(control: &str, part: &str) -> Self {
         let control = by_name::control(control);
         let config = starting_point(control).read_over(&SpinnerU5620::default(), &text("table.toml"));
-        let config = Config { output_units: Some(Units::Millimetres), ..config.expect("a configuration") };
+        let mut config = Config { output_units: Some(Units::Millimetres), ..config.expect("a configuration") };
+        // Each guard has a label of its own.
+        config.motion.guards.offset_guard = false;
         let mut program = Vec::new();
         let job = post::Job { cl_name: "works.cls", config: &config, control, units: None };
         let report = post::<SpinnerU5620>(&job, &mut Cursor::new(part.repeat(POSTED)), &mut program)

@@ -63,8 +63,9 @@ fn blocks_have_numbers_where_the_configuration_asks_for_them() {
         assert_eq!(changes.replace("N1 ", "").replace("N2 ", ""), posted(control, "line_numbers = 'none'"));
         assert_eq!(numbers(&posted(control, "line_numbers = 'none'")), [""; 0]);
         let every = posted(control, "line_numbers = 10");
-        let blocks =
-            every.lines().filter(|line| !line.starts_with(['(', ';', '%', 'O', 'M']) || line.starts_with("M9"));
+        let blocks = every
+            .lines()
+            .filter(|line| !line.starts_with(['(', ';', '%', 'O', 'M', 'o', 'I', 'E']) || line.starts_with("M9"));
         for (index, block) in blocks.enumerate() {
             assert!(block.starts_with(&format!("N{} ", 10 * (index + 1))), "{block}\n{every}");
         }
@@ -126,8 +127,8 @@ fn the_name_of_an_operation_comes_before_its_blocks_and_after_those_of_the_last(
             let coolant_off = control.spellings().coolant_off;
             let next =
                 lines[at + 1..].iter().position(|line| line.ends_with(coolant_off)).expect("M9 after safety lines");
-            // Only the safety lines and the machine retract are between.
-            assert!(next <= 8, "{next}\n{program}");
+            // Only the safety lines with their guard and the machine retract are between.
+            assert!(next <= 14, "{next}\n{program}");
             let moves = |line: &&&str| line.contains('X') && !line.contains(['(', ';']);
             assert!(!lines[at + 1..at + 1 + next].iter().any(|line| moves(&line)), "{program}");
         }

@@ -129,14 +129,16 @@ fn job(random: &mut Random) -> (String, Vec<String>) {
 /// What a program has of it, in order.
 fn order_of(program: &str) -> Vec<String> {
     let mut order: Vec<String> = Vec::new();
-    let mut called = None;
+    let (mut called, mut is_guard) = (None, false);
     for line in program.lines() {
         let text = line.trim_start_matches(|letter: char| letter.is_ascii_digit()).trim_start();
         let is_comment = text.starts_with(['(', ';', '*']) || text.starts_with("MSG");
         if text.contains("A TEXT") {
             order.push("text".to_owned());
         }
-        if is_comment {
+        // A guard of Siemens stops and ends the program.
+        is_guard = (is_guard || text.starts_with("IF ")) && text != "ENDIF";
+        if is_comment || is_guard {
             continue;
         }
         let words: Vec<&str> = text.split(' ').collect();

@@ -49,6 +49,7 @@ const NOT_STATED: &[&str] = &[
     "tcp_frame",
     "tcp_words",
     "plane_guard",
+    "offset_guard",
     "mode",
     "auto_planes",
     "cycles.output",

@@ -5,10 +5,10 @@
 
 use std::fmt;
 
+pub(super) use super::state::settled;
 pub use super::state::{
     FeedMode, Length, PathMode, Side, Smoothing, State, Tilt, TipControl, WorkOffset, WorkPlane, coolant, stated,
 };
-pub(super) use super::state::settled;
 
 /// Most axes a chain can have: X Y Z U V W A B C.
 pub const MAX_AXES: usize = 9;

@@ -585,7 +585,9 @@ impl Line<'_> {
         let shortest = axis.rollover == Some(RolloverRule::Shortest);
         let value = word.number.value;
         let text = match word.counts {
-            Counts::Shortest if !shortest => "DC(..) for an axis that the configuration does not let roll over (`wrap`)",
+            Counts::Shortest if !shortest => {
+                "DC(..) for an axis that the configuration does not let roll over (`wrap`)"
+            }
             Counts::Shortest if !(-180.0..360.0).contains(&value) => {
                 "the value of DC(..) is outside the modulo range: from 0 up to 360, or from -180 up to 180"
             }

@@ -120,7 +120,12 @@ const FANUC_LEFT: &[LeftOver] = &[
     left(settled::PLANE, "a tilted plane", "G69", FunctionOf::Listed("planes")),
     left(settled::PLANE, "a rotation of the coordinates", "G69", FunctionOf::Listed("rotation")),
     left(settled::POLAR, "polar coordinates", "G15", FunctionOf::Listed("polar")),
-    left(settled::SETTING_ERROR, "workpiece setting error compensation", "G54.4 P0", FunctionOf::Listed("setting_error")),
+    left(
+        settled::SETTING_ERROR,
+        "workpiece setting error compensation",
+        "G54.4 P0",
+        FunctionOf::Listed("setting_error"),
+    ),
     left(settled::SMOOTHING, "smoothing", "G05.1 Q0", FunctionOf::Listed("smoothing")),
 ];
 const HAAS_LEFT: &[LeftOver] = &[

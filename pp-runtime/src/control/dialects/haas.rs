@@ -34,8 +34,8 @@ use crate::nc::{Formats, Numerals};
 use super::super::options::ControlFunction;
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    ArcCodes, Cancel, CommentStyle, CycleCodes, CycleForm, FoundAt, HoleCycles, MachineRetract, Spellings, TiltedPlaneCodes,
-    TipControlCodes, ascii_in_brackets,
+    ArcCodes, Cancel, CommentStyle, CycleCodes, CycleForm, FoundAt, HoleCycles, MachineRetract, Spellings,
+    TiltedPlaneCodes, TipControlCodes, ascii_in_brackets,
 };
 
 /// The Haas dialect.

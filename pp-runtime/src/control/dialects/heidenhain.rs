@@ -60,8 +60,9 @@ use crate::nc::{Formats, Numerals};
 use super::super::options::ControlFunction;
 use super::control::{BlankWords, Control, LengthGuard, PlaneGuard, numbered};
 use super::spellings::{
-    ArcCentre, ArcCodes, Cancel, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes,
-    LinearRapids, MachineRetract, RetractForm, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
+    ArcCentre, ArcCodes, Cancel, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall,
+    LengthCodes, LinearRapids, MachineRetract, RetractForm, Spellings, TiltedPlaneCodes, TipControlCodes,
+    ToolAxisWords, printable,
 };
 use crate::motion::tolerances::GUARDED_SINES;
 

@@ -16,9 +16,9 @@ mod spellings;
 pub use control::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard};
 pub(crate) use spellings::STANDARD_M;
 pub use spellings::{
-    ArcCentre, ArcCodes, Cancel, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall,
-    LengthCodes, LinearRapids, MachineRetract, MessageStyle, RetractForm, Spellings, ThreadCodes, TiltedPlaneCodes,
-    TipControlCodes, ToolAxisWords,
+    ArcCentre, ArcCodes, Cancel, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, FoundAt, HoleCycles,
+    LengthCall, LengthCodes, LinearRapids, MachineRetract, MessageStyle, RetractForm, Spellings, ThreadCodes,
+    TiltedPlaneCodes, TipControlCodes, ToolAxisWords,
 };
 
 /// Declares the list of controls and the public name of each.

@@ -61,8 +61,8 @@ use crate::nc::Formats;
 use super::super::options::ControlFunction;
 use super::control::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard, numbered};
 use super::spellings::{
-    ArcCodes, Cancel, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes, LinearRapids,
-    MachineRetract, MessageStyle, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
+    ArcCodes, Cancel, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes,
+    LinearRapids, MachineRetract, MessageStyle, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 
 /// The Siemens dialect.

@@ -3,8 +3,8 @@
 
 use std::io;
 
-use crate::control::layout::Layout;
 use crate::control::dialects::Cancel;
+use crate::control::layout::Layout;
 use crate::control::options::{BlockNumbers, ControlFunction};
 use crate::motion::PoseRule;
 use crate::nc::Decimal;
@@ -146,7 +146,8 @@ impl FrameWriter {
     fn reset(&self, out: &mut ModalWriter<'_>) -> io::Result<()> {
         let listed = |of: ControlFunction| self.functions.as_ref().is_some_and(|listed| listed.contains(&of));
         let functions = [ControlFunction::TipControl, ControlFunction::Planes, ControlFunction::DynamicOffset];
-        let [tip_control, planes, dynamic_offset] = std::array::from_fn(|index| self.uses[index] || listed(functions[index]));
+        let [tip_control, planes, dynamic_offset] =
+            std::array::from_fn(|index| self.uses[index] || listed(functions[index]));
         let codes = out.codes();
         if dynamic_offset {
             self.dynamic_offset(false, out)?;

@@ -165,10 +165,7 @@ pub(crate) fn conditions(control: &dyn Control, options: &ControlOptions, uses: 
         }
     }
     if !absent.is_empty() {
-        list.push(format!(
-            "off, or not installed (`control.functions` has them ended): {}",
-            absent.join(", ")
-        ));
+        list.push(format!("off, or not installed (`control.functions` has them ended): {}", absent.join(", ")));
     }
     if own_safety {
         let set = of(control.family()).iter().filter_map(|row| match row.by {
@@ -184,7 +181,11 @@ pub(crate) fn conditions(control: &dyn Control, options: &ControlOptions, uses: 
 /// Writes the states of a control as a table, and how many of them are from memory.
 pub(crate) fn write_table(control: &dyn Control, out: &mut dyn Write) -> io::Result<()> {
     let rows = of(control.family());
-    writeln!(out, "States of {} that change the meaning of words, and how programs deal with them", control.spellings().title)?;
+    writeln!(
+        out,
+        "States of {} that change the meaning of words, and how programs deal with them",
+        control.spellings().title
+    )?;
     for (title, is_of) in WAYS {
         let mut of_way = rows.iter().filter(|row| is_of(&row.by)).peekable();
         if of_way.peek().is_none() {
@@ -194,7 +195,9 @@ pub(crate) fn write_table(control: &dyn Control, out: &mut dyn Write) -> io::Res
         for row in of_way {
             let what = match row.by {
                 StateHandling::InWord(text) | StateHandling::Set(text) | StateHandling::Stated(text) => text.to_owned(),
-                StateHandling::SetWhere(function, code) => format!("{code}, where `control.functions` has \"{}\"", function.name()),
+                StateHandling::SetWhere(function, code) => {
+                    format!("{code}, where `control.functions` has \"{}\"", function.name())
+                }
                 StateHandling::Compared(what, otherwise) => format!("{what}; without the guard: {otherwise}"),
                 StateHandling::Noted(text) => text(control.spellings()).to_owned(),
             };
@@ -224,5 +227,6 @@ const WAYS: [(&str, fn(&StateHandling) -> bool); 4] = [
 
 /// Number of states of a control that are from memory, settings with a value included.
 pub(crate) fn from_memory(family: &str) -> usize {
-    of(family).iter().filter(|row| row.source.is_empty()).count() + ControlState::of(family).filter(|setting| setting.is_from_memory()).count()
+    of(family).iter().filter(|row| row.source.is_empty()).count()
+        + ControlState::of(family).filter(|setting| setting.is_from_memory()).count()
 }

@@ -35,10 +35,13 @@ fn codes_that_the_table_sets_are_in_the_blocks_of_a_restart_point() {
                 blocks.into_iter().any(|block| block == code || block.split(' ').any(|word| word == code))
             };
             match row.by {
-                StateHandling::Set(code) if !code.contains([' ', ',']) => assert!(written(code), "{}: {code}", codes.name),
+                StateHandling::Set(code) if !code.contains([' ', ',']) => {
+                    assert!(written(code), "{}: {code}", codes.name)
+                }
                 StateHandling::SetWhere(function, code) => {
                     let reset = codes.plane.as_ref().is_some_and(|plane| plane.reset.contains(&code));
-                    let offset = codes.tip.as_ref().and_then(|tip| tip.dynamic_offset).is_some_and(|[_, off]| off == code);
+                    let offset =
+                        codes.tip.as_ref().and_then(|tip| tip.dynamic_offset).is_some_and(|[_, off]| off == code);
                     let cancel = codes.cancels.iter().any(|cancel| cancel.block == code && cancel.of == function);
                     assert!(reset || offset || cancel, "{}: {code}", codes.name);
                 }

@@ -32,7 +32,10 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
         return undecided("a rapid in X and Y in two blocks");
     }
     let waits = |extra: &Event<'_>| {
-        matches!(extra.block.effect, Effect::Dwell(_) | Effect::Guard { .. } | Effect::PlaneGuard { .. } | Effect::OffsetGuard)
+        matches!(
+            extra.block.effect,
+            Effect::Dwell(_) | Effect::Guard { .. } | Effect::PlaneGuard { .. } | Effect::OffsetGuard
+        )
     };
     if is.get(index).is_some_and(waits) && added() {
         return undecided("a wait is added");

@@ -41,6 +41,10 @@ impl Machine {
     /// A control that has just been switched on.
     pub(super) fn new(options: &Options) -> Self {
         let mut state = State { tool: options.entry.and_then(|entry| entry.tool), ..options.before };
+        if options.entry.is_some() {
+            // Whatever ran before.
+            state = State { tool: state.tool, ..State::left_on(options.control) };
+        }
         if options.control == Control::Heidenhain
             && let Some(tool) = state.tool
         {
@@ -103,8 +107,8 @@ impl Machine {
         }
         self.thread_due = written.has(Meaning::RigidTapping) && !thread;
         command.finish()?;
-        if let Some(left) = self.state.left.filter(|_| effect.moves()) {
-            return Err(format!("{left:?} is on from a program before"));
+        if effect.moves() && self.state.left.any() {
+            return Err(format!("{:?} is on from a program before", self.state.left));
         }
         careful::effect(self, &written, &effect, &words)?;
         if effect.is_thread() {

@@ -116,7 +116,7 @@ impl Machine {
             }
             Meaning::CoolantOn(supply) => switch(state, supply, true),
             Meaning::CoolantOff(supply) => switch(state, supply, false),
-            Meaning::Ends(left) => state.left = state.left.filter(|on| *on != left),
+            Meaning::Ends(left) => state.left.end(left),
             Meaning::Plane(plane) => state.plane = Some(plane),
             Meaning::Compensation(side) => {
                 let written = command.take(Address::RadiusRegister).map(whole).transpose()?;

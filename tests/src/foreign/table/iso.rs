@@ -18,8 +18,8 @@ use super::super::axes::is_rotary;
 use super::super::lexer::{Number, Token};
 use super::super::meaning::{Address, Command, Meaning, Supply, whole};
 use super::super::state::{
-    Compensation, Distance, FeedMode, Interpolation, LeftOn, MotionMode, Plane, ReturnLevel, Spindle, State, TiltedPlane,
-    TipControl, Units, WorkOffset,
+    Compensation, Distance, FeedMode, Interpolation, LeftOn, MotionMode, Plane, ReturnLevel, Spindle, State,
+    TiltedPlane, TipControl, Units, WorkOffset,
 };
 use super::super::{Control, Options};
 use super::geometry;

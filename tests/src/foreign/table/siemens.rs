@@ -6,8 +6,8 @@
 use super::super::lexer::Token;
 use super::super::meaning::{Address, Command, Counting, Meaning, Supply};
 use super::super::state::{
-    Compensation, Cycle, CycleKind, Distance, FeedMode, Interpolation, LeftOn, MotionMode, Plane, SMOOTHING, Spindle, State,
-    TiltedPlane, Units, VectorFrame, WorkOffset,
+    Compensation, Cycle, CycleKind, Distance, FeedMode, Interpolation, LeftOn, MotionMode, Plane, SMOOTHING, Spindle,
+    State, TiltedPlane, Units, VectorFrame, WorkOffset,
 };
 use super::{geometry, others};
 

@@ -324,7 +324,9 @@ fn unsupported_modes_are_refused_with_the_alternative() {
         config.motion.tip.tcp_confirmed = true;
     };
     assert_eq!(refused(haas, Mode::Plane, &confirmed), "");
-    let codes = |config: &mut Config| config.control.tip_control = Some(TipControlSwitch::Codes(["M428".to_owned(), "M429".to_owned()]));
+    let codes = |config: &mut Config| {
+        config.control.tip_control = Some(TipControlSwitch::Codes(["M428".to_owned(), "M429".to_owned()]))
+    };
     assert_eq!(refused(linuxcnc, Mode::Tcp, &codes), "");
     let config = set_up(Mode::Tcp, None, haas, &mut random);
     let mut unconfirmed = config;

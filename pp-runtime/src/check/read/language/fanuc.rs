@@ -35,10 +35,20 @@ const OWN: &[Row] = &[
     )
     .needs("P"),
     // From memory; without their option these codes raise an alarm.
-    Row::new("G15", Means::Settles(settled::POLAR), group::POLAR, "Fanuc B-63944EN/02 (2004), polar coordinate command"),
+    Row::new(
+        "G15",
+        Means::Settles(settled::POLAR),
+        group::POLAR,
+        "Fanuc B-63944EN/02 (2004), polar coordinate command",
+    ),
     Row::new("G50", Means::Settles(settled::SCALING), group::SCALING, "Fanuc B-63944EN/02 (2004), scaling"),
-    Row::new("G54.4", Means::Settles(settled::SETTING_ERROR), group::SETTING_ERROR, "Fanuc A-79634E, workpiece setting error compensation")
-        .needs("P"),
+    Row::new(
+        "G54.4",
+        Means::Settles(settled::SETTING_ERROR),
+        group::SETTING_ERROR,
+        "Fanuc A-79634E, workpiece setting error compensation",
+    )
+    .needs("P"),
     Row::new("G68.2", Means::TiltedPlane(Plane::Euler), group::TILT, "Fanuc B-63784EN, tilted working plane")
         .takes("IJK"),
     Row::new("G69", Means::TiltOff, group::TILT, "Fanuc B-63784EN, tilted working plane"),

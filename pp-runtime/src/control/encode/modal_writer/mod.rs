@@ -342,7 +342,9 @@ impl<'a> ModalWriter<'a> {
         let position =
             |address: &Address| words.units[address.index] as f64 / 10_f64.powi(address.word.decimals() as i32);
         let rotary = self.axes.iter().filter(|address| words.has(address.index));
-        rotary.map(|address| (address.word.letters().split('=').next().unwrap_or_default().to_owned(), position(address))).collect()
+        rotary
+            .map(|address| (address.word.letters().split('=').next().unwrap_or_default().to_owned(), position(address)))
+            .collect()
     }
 
     /// Writes a word in the number format of axes, whether it is in force or not.
