@@ -35,6 +35,7 @@ mod set_ups;
 mod settings;
 #[cfg(debug_assertions)]
 mod shortcuts;
+mod states;
 mod stream;
 mod threads;
 mod tilted_holes;

@@ -139,6 +139,7 @@ const HAAS_LEFT: &[LeftOver] = &[
 ];
 const SIEMENS_LEFT: &[LeftOver] = &[
     SIDE,
+    left(settled::PATH, "exact stop or smoothed corners", "G64", FunctionOf::Every),
     left(settled::TIP_CONTROL, "a transformation", "TRAFOOF", FunctionOf::Usual("tip_control")),
     left(settled::PLANE, "a tilted plane", "CYCLE800()", FunctionOf::Usual("planes")),
     left(settled::SHIFT, "a programmed shift, rotation, scale or mirror", "TRANS", FunctionOf::Every),

@@ -226,6 +226,7 @@ impl Mode {
             Self::DynamicOffset(_) => settled::DYNAMIC_OFFSET,
             Self::Tilt(TiltCode::Off | TiltCode::Zero | TiltCode::On { .. }) => settled::PLANE,
             Self::Smoothing(..) => settled::SMOOTHING,
+            Self::Path(_) => settled::PATH,
             Self::Settles(bits) => *bits,
             _ => 0,
         }

@@ -245,6 +245,8 @@ pub(crate) mod settled {
     pub(crate) const SETTING_ERROR: u32 = 2048;
     /// Smoothing of the path.
     pub(crate) const SMOOTHING: u32 = 4096;
+    /// Motion from block to block.
+    pub(crate) const PATH: u32 = 8192;
 }
 
 /// What is in force; `None` where the program has not said it.
