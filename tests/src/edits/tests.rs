@@ -15,7 +15,7 @@ const ALLOWED: Allowed = Allowed {
     clamped: [Some('B'), None],
 };
 
-const PROGRAM: &str = "N1 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+const PROGRAM: &str = "N1 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
 M9
 G53 G0 Z0
 T1 M6

@@ -232,7 +232,7 @@ fn on_a_table_the_safe_sequence_retracts_and_approaches_along_z() {
     assert_blocks(
         &posted("examples/cl/two_tools.cls", None, "spinner-u5-620"),
         &[
-            ("N1 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01", "restart point: a complete state"),
+            ("N1 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01", "restart point: a complete state"),
             ("M9", "1: coolant off"),
             ("G53 G0 Z0", "2: the retract axis to its machine position"),
             ("T1 M6", "3: tool call"),
@@ -258,7 +258,7 @@ fn on_a_table_the_safe_sequence_retracts_and_approaches_along_z() {
             ("G53 G0 Z0", "the retract before STOP"),
             ("M5", "the spindle is off before STOP"),
             ("M0", "STOP"),
-            ("N2 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01", "restart point: a complete state"),
+            ("N2 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01", "restart point: a complete state"),
             ("M9", "1: the operator may have switched the coolant on"),
             ("G53 G0 Z0", "2: the position of Z after the stop is unknown"),
             ("T2 M6", "3: tool call"),
@@ -357,7 +357,7 @@ fn the_same_tool_is_not_changed_and_a_comment_has_its_number() {
         lines[index + 1..index + 9],
         [
             "(OPERATION TRAILING_EDGE)",
-            "N2 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01",
+            "N2 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01",
             "M9",
             "G53 G0 Z0",
             "(T3 stays in the spindle)",
