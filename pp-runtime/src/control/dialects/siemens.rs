@@ -208,7 +208,7 @@ static SPELLINGS: Spellings = Spellings {
     }),
     // Outside the modulo range DC raises alarm 16830: Axes and Spindles 06/2019, p. 225.
     shortest_word: Some(["=DC(", ")"]),
-    shortest_note: "they are modulo axes (MD30310 = 1, MD30455 bit 0 = 0) whose range begins where `wrap` has it (MD30340 = 0 or -180)",
+    shortest_note: "a modulo axis (MD30310 = 1, MD30455 bit 0 = 0), its range from 0 or -180 as `wrap` has it (MD30340)",
     rotary_note: "the axes must not be modulo axes (MD30310 = 0)",
     examples: &[
         ("control.safety", r#"["TRAFOOF", "CYCLE800()", "TRANS", "{units} G17 G40 G64 G90 G94 {work_offset}"]"#),

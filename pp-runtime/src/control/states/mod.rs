@@ -196,7 +196,12 @@ pub(crate) fn write_table(control: &dyn Control, out: &mut dyn Write) -> io::Res
             let what = match row.by {
                 StateHandling::InWord(text) | StateHandling::Set(text) | StateHandling::Stated(text) => text.to_owned(),
                 StateHandling::SetWhere(function, code) => {
-                    format!("{code}, where `control.functions` has \"{}\"", function.name())
+                    let usual = control.spellings().cancels.iter().any(|cancel| cancel.of == function && cancel.usual);
+                    let listed = match usual {
+                        true => "unless `control.functions` is given without",
+                        false => "where `control.functions` has",
+                    };
+                    format!("{code}, {listed} \"{}\"", function.name())
                 }
                 StateHandling::Compared(what, otherwise) => format!("{what}; without the guard: {otherwise}"),
                 StateHandling::Noted(text) => text(control.spellings()).to_owned(),
