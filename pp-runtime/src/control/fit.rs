@@ -394,6 +394,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         retract_keeps_length: codes.length.call == LengthCall::WithZ
             && matches!(demands.options.retract_form(codes), Some(RetractForm::ReferencePosition { .. })),
         guards_planes: demands.motion.guards.plane_guard && control.compares_rotary_positions(),
+        times_faint_moves: codes.times_faint_moves,
         guards_offset: demands.motion.guards.offset_guard && !control.offset_guard(1).is_empty(),
         skips_guards: codes.skips_guards,
         operation_blocks: OperationBlocks {

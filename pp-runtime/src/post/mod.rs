@@ -235,6 +235,13 @@ impl Report {
             ));
             lines.extend(self.surface_text());
         }
+        if statistics.faint > 0 {
+            lines.push(format!(
+                "linear axes move by 1 or 2 last digits beside a rotation in {}: LinuxCNC up to 2.8.4 takes the time of such a block from \
+                 them, and rotates at the speed of the axis",
+                counted(statistics.faint, "block")
+            ));
+        }
         if statistics.largest_on_spot_rad > ON_SPOT {
             lines.push(format!(
                 "at the pole a rotary axis rotates by up to {:.3}° with the tool in the cut and the tip at rest: \

@@ -184,6 +184,7 @@ static SPELLINGS: Spellings = Spellings {
     inverse_time: None,
     largest_inverse_time: f64::INFINITY,
     linear_rapids: LinearRapids::AsDelivered,
+    times_faint_moves: false,
     tip_control_holds_axis_speeds: true,
     path_norm: PathNorm::XyzDegrees,
     feed_per_inch: 10.0,

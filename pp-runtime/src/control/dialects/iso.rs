@@ -51,6 +51,7 @@ impl Spellings {
         inverse_time: Some("G93"),
         largest_inverse_time: f64::INFINITY,
         linear_rapids: LinearRapids::No,
+        times_faint_moves: false,
         tip_control_holds_axis_speeds: true,
         path_norm: PathNorm::G93Minutes,
         feed_per_inch: 1.0,

@@ -32,6 +32,8 @@ static SPELLINGS: Spellings = Spellings {
     message: Some(MessageStyle { marks: ["(MSG, ", ")"], length: 246 }),
     end: "M2",
     linear_rapids: LinearRapids::Always,
+    // Versions up to 2.8.4: a block with `Y0.001 A-6.6666` rotates at the speed of the axis (from memory).
+    times_faint_moves: true,
     // Its planner knows the coordinates only: github.com/LinuxCNC/linuxcnc, issue 97 (following errors of the joints).
     tip_control_holds_axis_speeds: false,
     // G90.1 (absolute centres of arcs), G7 (X as a diameter) and G96 (S as a cutting speed) survive M2: interp_convert.cc,

@@ -77,6 +77,8 @@ pub struct Spellings {
     pub largest_inverse_time: f64,
     /// Whether all axes of a rapid arrive together.
     pub linear_rapids: LinearRapids,
+    /// It takes the time of a block from its linear axes alone, however little they move.
+    pub times_faint_moves: bool,
     /// Under tip control it slows down where an axis would exceed its speed.
     pub tip_control_holds_axis_speeds: bool,
     /// Path to which F applies where a rotary axis moves.

@@ -49,6 +49,8 @@ pub struct Abilities {
     pub retracts_along_tool: bool,
     /// The length offset is in force after the machine retract, and the code that ends it may move the tool.
     pub retract_keeps_length: bool,
+    /// The control takes the time of a block from its linear axes alone, however little they move.
+    pub times_faint_moves: bool,
     /// A program can stop where the control has tilted a plane with the rotary axes elsewhere.
     pub guards_planes: bool,
     /// A program can stop where a rotation, a scale, a mirror or a shift lies over the work offset.

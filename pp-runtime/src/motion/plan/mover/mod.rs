@@ -9,7 +9,7 @@ mod retract;
 
 use std::io;
 
-use crate::kinematics::{AnyMachine, Pose};
+use crate::kinematics::{AnyMachine, AxisKind, Pose};
 use crate::motion::options::{Policy, Rapid, StretchMode, ToolPosture};
 use crate::nalgebra::Point3;
 use crate::program::Move;
@@ -29,6 +29,10 @@ use crate::motion::step::{AxisWords, MAX_AXES, Sink, Step};
 use crate::motion::step::{BlockReason, ReachedPosition};
 use crate::motion::tolerances::{CONVERTED_NOISE, HELD_AXIS};
 use crate::shortcut::Shortcut;
+
+/// Largest move of the linear axes, in last digits of their words, that is rounding beside a rotation of more than the second.
+const FAINT_MOVE: i64 = 2;
+const ROTATES_BESIDE: i64 = 1000;
 
 /// Moves the machine.
 pub(crate) struct Mover<'a, S> {
@@ -450,12 +454,27 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.check_hidden_rotation(place)?;
         self.note_rotation(place);
         self.output.feed(pace, block.rotation);
+        if self.abilities.times_faint_moves && block.rotation.is_some() {
+            self.note_faint_move(place);
+        }
         let mut step = Step::Feed { words: self.placer.words(place, self.block_axes()), feed: pace.feed };
         if let Step::Feed { words, .. } = &mut step {
             self.speller.spell(|| self.placer.written(self.position.place()), words);
         }
         let reached = self.placer.state_at(place);
         Ok(self.output.move_step(&step, reached, inserted)?)
+    }
+
+    /// Counts a block in which linear axes move by rounding beside a rotation.
+    fn note_faint_move(&mut self, place: &AxisPosition) {
+        let here = self.position.place();
+        let (mut linear, mut rotary) = (0, 0);
+        for (axis, (to, from)) in self.placer.chain().iter().zip(place.words.iter().zip(here.words)) {
+            let most = if axis.kind == AxisKind::Linear { &mut linear } else { &mut rotary };
+            *most = (*most).max((to - from).abs());
+        }
+        let is_faint = (1..=FAINT_MOVE).contains(&linear) && rotary > ROTATES_BESIDE;
+        self.output.statistics_mut().faint += u64::from(is_faint);
     }
 
     /// Writes an arc or a cycle that ends at a place.
