@@ -121,6 +121,15 @@ crate::tolerance::tolerances! {
     IN_CUTTER_PLANE: f64 = 2e-3, "mm",
         "in a tilted plane both ends of CL data with three decimals are up to 0.87 µm off", equals IN_CUTTER_PLANE;
 
+    /// Length that is none: what is left of a side of a contour, or what an arc or a lead-in has more than the tool needs.
+    SPENT_SIDE: f64 = 1e-9, "mm", "rounding of arithmetic", alone "the planner refuses less than LEAST_OFFSET, which is more";
+
+    /// Excess of a cosine over 1 where two circles touch.
+    TOUCHING: f64 = 1e-12, "1", "rounding of arithmetic", alone "the planner refuses what does not meet";
+
+    /// Change of direction that is no corner for an offset.
+    STRAIGHT_ON: f64 = 1e-6, "rad", "it trims a radius of a metre by half a micrometre", equals STRAIGHT_ON;
+
     /// Length above which a retract leads out.
     LEADS_OUT: f64 = 1e-3, "mm", "the last digit of CL data", equals LEADS_OUT;
 

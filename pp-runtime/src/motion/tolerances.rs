@@ -174,6 +174,13 @@ crate::tolerance::tolerances! {
     IN_CUTTER_PLANE: f64 = 2e-3, "mm",
         "in a tilted plane both ends of CL data with three decimals are up to 0.87 µm off", equals IN_CUTTER_PLANE;
 
+    /// Length of an offset element that is none, and largest excess of an arc or a lead-in over the offset that is none.
+    LEAST_OFFSET: f64 = 1e-6, "mm", "a thousandth of the last digit of a word",
+        alone "the check finds what is left without this margin: SPENT_SIDE";
+
+    /// Change of direction that is no corner for an offset.
+    STRAIGHT_ON: f64 = 1e-6, "rad", "it trims a radius of a metre by half a micrometre", equals STRAIGHT_ON;
+
     /// Length that a retract may lack.
     LED_OUT: f64 = 1e-6, "mm", "rounding of sums", alone "the check allows the rounding of the words";
 

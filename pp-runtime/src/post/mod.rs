@@ -118,9 +118,10 @@ pub struct Report {
     pub rotary_end: Vec<(char, f64)>,
     /// Assumptions: settings that were not given, one sentence each.
     pub assumptions: Vec<String>,
-    /// Conditions on the states of the control, one sentence each.
+/// Conditions on the states of the control, one sentence each.
     pub conditions: Vec<String>,
-    /// Linear axes whose limits were not checked, and a retract whose way was not compared, with the reason; empty if all were.
+    /// Linear axes whose limits were not checked, a retract whose way was not compared, and contours whose tool has no known radius,
+    /// with the reason; empty if all were.
     pub unchecked: Vec<String>,
     /// Tool numbers in ascending order.
     pub tools: Vec<u32>,
@@ -563,6 +564,11 @@ impl PlanningPass<'_> {
         report.unchecked = header::unchecked_limits(&planner.unchecked_axes());
         report.unchecked.extend(planner.blind_retract().map(|axis| {
             format!("machine retract: whether it leads away from the part is not compared: no machine_zero ({axis})")
+        }));
+        report.unchecked.extend(planner.unknown_radii().iter().map(|number| {
+            format!(
+                "cutter compensation: whether T{number} fits into its contours is not compared: its radius is unknown"
+            )
         }));
         match planned {
             Ok(()) => report.rotary_end = planner.rotary_angles(),

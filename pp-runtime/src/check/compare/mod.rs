@@ -11,6 +11,7 @@
 
 mod approach;
 mod clear;
+mod contour;
 mod cutting;
 mod cycles;
 mod functions;
@@ -48,6 +49,7 @@ use crate::kinematics::AnyMachine;
 use crate::program::{Location, Rotation, Units};
 use crate::shortcut::Shortcut;
 use clear::KeepOut;
+use contour::ContourState;
 use cutting::MOST_NEEDLESS;
 use functions::FunctionState;
 use obligations::{Duties, DutyEvent};
@@ -102,6 +104,7 @@ struct Comparison<'a> {
     /// than those of a motion.
     right_state: Option<Rc<Required>>,
     functions: FunctionState,
+    contour: ContourState,
     shop_lines: ShopLines,
     /// Linear axes at their parking positions: bits.
     parked: u16,
@@ -249,6 +252,7 @@ impl<'a> Checker<'a> {
             compared: false,
             right_state: None,
             functions: FunctionState::default(),
+            contour: ContourState::default(),
             shop_lines: ShopLines::new(lines, policy),
             parked: 0,
             at_station: Default::default(),
@@ -473,6 +477,7 @@ impl Comparison<'_> {
         if !block.action.leaves_words() && (linear || block.state.tip_control != TipControl::Off) {
             (self.parked, self.at_station) = (0, Default::default());
         }
+        self.follow_contour(current);
         let keep_out = KeepOut::of(self, phase, block);
         let next = match (task, &mut *phase) {
             (Task::MachinePosition, phase) => self.machine_position(phase, current)?,

@@ -4,6 +4,7 @@ mod arc;
 mod circle;
 mod clearance;
 mod clearance_in_force;
+mod offset_contour;
 mod path_segment;
 
 pub(crate) use arc::{ArcGeometry, extent};
@@ -11,4 +12,5 @@ pub use circle::{ArcPlane, Circle};
 pub(crate) use circle::{CircleDeviation, NominalCircle, WordGrid};
 pub(crate) use clearance::{distance_to_clear, is_separated, line_enters};
 pub(crate) use clearance_in_force::ClearanceGeometry;
+pub(crate) use offset_contour::{ContourArc, ContourElement, InPlane, OffsetContour, OffsetMisfit};
 pub(crate) use path_segment::{PathSegment, angle_between};

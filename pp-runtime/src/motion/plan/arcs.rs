@@ -392,6 +392,9 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         mover.output_mut().feed(&pace, None);
         let words = AxisWords { vector: None, ..mover.placer().words(to, mask) };
         mover.write_motion(&Step::Arc { words, circle, feed }, to)?;
+        if !self.planner.cutter.is_idle() {
+            crate::motion::plan::cutter::arc_piece(self.planner, circle, to)?;
+        }
         Ok(())
     }
 

@@ -9,6 +9,13 @@
 //! is the path of the tool centre, the radius where it is the contour. A control without such registers takes the radius of
 //! the tool itself: where the path is that of the centre the tool call takes it off, or a guard stops the program unless it is
 //! wear only.
+//!
+//! The contour of the program is offset here as well, by the radius, or by the largest wear to both sides: `offset` refuses what
+//! the tool does not fit into, whatever the control would do there.
+
+mod offset;
+
+use std::collections::BTreeSet;
 
 use nalgebra::Vector3;
 
@@ -16,6 +23,7 @@ use crate::kinematics::math;
 use crate::motion::options::{ArcOutput, CutterPath, Policy, StretchMode};
 use crate::program::{Arc, Compensation, CutterSide, Event, Move, ReferenceGeometry};
 
+use self::offset::Offsets;
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::abilities::CutterRadius;
@@ -29,7 +37,7 @@ use crate::motion::tolerances::{IN_CUTTER_PLANE, SAME_AXIS};
 const LARGEST_DELTA: f64 = 99.999;
 
 /// Last request of CUTCOM, and the state in force.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct CutterCompensation {
     /// In force, or from the next line in the plane on.
     side: Option<CutterSide>,
@@ -38,6 +46,7 @@ pub(crate) struct CutterCompensation {
     /// Register programmed in the CL data.
     register: Option<u32>,
     state: Compensating,
+    offsets: Offsets,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -58,6 +67,11 @@ impl CutterCompensation {
         self.state == Compensating::Off
     }
 
+    /// Tools with unknown radius that cut a contour.
+    pub(crate) fn unknown_radii(&self) -> &BTreeSet<u32> {
+        self.offsets.unknown()
+    }
+
     fn in_force(&self) -> bool {
         matches!(self.state, Compensating::On | Compensating::Ends)
     }
@@ -74,7 +88,7 @@ impl CutterCompensation {
         }
         let register = register.or(self.register.filter(|_| asked == CutterSide::On));
         let state = if self.in_force() { Compensating::On } else { Compensating::Begins };
-        *self = Self { side: Some(side), last: Some(side), register, state };
+        (self.side, self.last, self.register, self.state) = (Some(side), Some(side), register, state);
         Ok(())
     }
 
@@ -186,14 +200,14 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'
     let along = (motion.pose.tip - from.pose.tip).dot(&motion.pose.axis);
     let flat = |step: &Vector3<f64>| math::smaller(step.z.abs(), along.abs()) <= (0.5 * unit).max(IN_CUTTER_PLANE);
     let line = |step: &Vector3<f64>| !motion.rapid && flat(step) && math::hypot(step.x, step.y) >= unit;
-    match planner.cutter.state {
+    let before = planner.cutter.state;
+    match before {
         Compensating::Off => {}
         Compensating::Begins => {
             // Other motions may still lead the tool to the start of the line.
             if let Ok(step) = step.as_ref()
                 && line(step)
             {
-                check_length(planner, math::hypot(step.x, step.y))?;
                 switch(planner, true)?;
             } else if !motion.rapid {
                 step?;
@@ -220,6 +234,12 @@ pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: MotionAndNext<'
     planner.run(ahead, index)?;
     if stays && planner.mover.placer().rotates(&from.words, &planner.mover.here().words) {
         return Err(in_force_fault("a rotary axis rotates").into());
+    }
+    match (before, planner.cutter.state) {
+        (Compensating::Begins, Compensating::On) => offset::begin(planner, &from)?,
+        (Compensating::On, _) => offset::line(planner, &from)?,
+        (Compensating::Ends, _) => offset::end(planner, &from)?,
+        (Compensating::Off | Compensating::Begins, _) => {}
     }
     Ok(())
 }
@@ -273,21 +293,6 @@ fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &AxisPosition, motion: &M
         return Err(tilted());
     }
     Ok(map * (motion.pose.tip - from.pose.tip))
-}
-
-/// Where D holds the radius, refuses a lead-in that is shorter: it leaves no path to the contour.
-fn check_length<S: Sink>(planner: &Planner<'_, S>, length_mm: f64) -> Result<(), Fault> {
-    let policy = planner.policy;
-    let given = planner.tooling.current().and_then(|tool| policy.set_up.tools.get(&tool.number));
-    let diameter = given.and_then(|tool| tool.diameter_mm);
-    let radius = diameter.filter(|_| policy.options.compensation == Some(CutterPath::Contour)).map(|d| 0.5 * d);
-    match radius.filter(|radius| length_mm < *radius) {
-        Some(radius) => Err(Fault::new(format_args!(
-            "compensation begins with a line {length_mm:.3} mm long, shorter than the tool radius of {radius:.3} mm"
-        ))
-        .help("make the lead-in longer than the radius")),
-        None => Ok(()),
-    }
 }
 
 /// Delta of the radius in a tool call: takes the radius off where the path is that of the tool centre, and the control takes
@@ -360,6 +365,9 @@ fn switch<S: Sink>(planner: &mut Planner<'_, S>, on: bool) -> Planned {
     let left = (planner.cutter.side == Some(CutterSide::Left)) != mirrored;
     mover.output_mut().step(&Step::CutterCompensation { left: on.then_some(left), register })?;
     planner.cutter.state = if on { Compensating::On } else { Compensating::Off };
+    if on {
+        offset::select(planner, left);
+    }
     Ok(())
 }
 
@@ -381,6 +389,8 @@ fn radius_register<S: Sink>(planner: &Planner<'_, S>) -> Result<u32, Fault> {
     }
     Ok(given.unwrap_or(number))
 }
+
+pub(crate) use self::offset::arc_piece;
 
 #[cfg(test)]
 mod tests;

@@ -236,6 +236,12 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.mover.placer().unchecked_axes()
     }
 
+    /// Tools with unknown radius that cut a contour with compensation: whether they fit into it is not compared.
+    #[must_use]
+    pub fn unknown_radii(&self) -> &BTreeSet<u32> {
+        self.cutter.unknown_radii()
+    }
+
     /// Letter of the retract axis where its machine coordinates are unknown: whether a retract leads away from the part is not
     /// compared.
     #[must_use]

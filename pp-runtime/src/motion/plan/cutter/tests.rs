@@ -219,6 +219,77 @@ fn a_lead_in_is_longer_than_the_radius_that_d_holds() {
     assert!(text(CutterPath::Centre).contains("the program ends"));
 }
 
+/// A quarter circle with a radius of 3 mm to the left of a contour.
+fn tight(side: CutterSide) -> Vec<Event<'static>> {
+    from_below(&[
+        asked(side),
+        feed([0.0, 0.0, 0.0], UP),
+        feed([30.0, 0.0, 0.0], UP),
+        quarter([30.0, 0.0, 0.0], [33.0, 3.0, 0.0], [30.0, 3.0, 0.0]),
+        feed([33.0, 20.0, 0.0], UP),
+        asked(CutterSide::Off),
+        feed([60.0, 30.0, 0.0], UP),
+    ])
+}
+
+#[test]
+fn an_arc_around_the_tool_is_larger_than_the_tool_in_mirrored_words_as_well() {
+    let config = set_up(Some(CutterPath::Contour));
+    for found in [
+        run::<Xyz>(&config, &tight(CutterSide::Left)).error().text.clone(),
+        run::<Mirrored>(&config, &tight(CutterSide::Left)).error().text.clone(),
+    ] {
+        assert_eq!(found, "the tool radius of 5.000 mm does not fit into this arc with a radius of 3.000 mm");
+    }
+    assert_eq!(run::<Xyz>(&config, &tight(CutterSide::Right)).diagnostics, []);
+    assert_eq!(run::<Mirrored>(&config, &tight(CutterSide::Right)).diagnostics, []);
+}
+
+#[test]
+fn an_arc_by_its_radius_is_the_same_contour() {
+    let mut config = set_up(Some(CutterPath::Contour));
+    config.motion.arcs.form = crate::motion::ArcForm::Radius;
+    assert_eq!(run::<Xyz>(&config, &contour(CutterSide::Left)).diagnostics, []);
+    assert!(run::<Xyz>(&config, &tight(CutterSide::Left)).error().text.contains("with a radius of 3.000 mm"));
+}
+
+#[test]
+fn wear_is_compared_to_both_sides() {
+    let mut config = set_up(Some(CutterPath::Centre));
+    config.motion.largest_wear_mm = 3.5;
+    let text = |side| run::<Xyz>(&config, &tight(side)).error().text.clone();
+    assert!(text(CutterSide::Left).starts_with("a wear of 3.500 mm does not fit"));
+    assert!(text(CutterSide::Right).starts_with("a wear of -3.500 mm does not fit"));
+    config.motion.largest_wear_mm = 2.5;
+    assert_eq!(run::<Xyz>(&config, &tight(CutterSide::Right)).diagnostics, []);
+}
+
+#[test]
+fn corners_leave_a_part_of_every_line() {
+    let slot = |width: f64| {
+        from_below(&[
+            asked(CutterSide::Left),
+            feed([0.0, 0.0, 0.0], UP),
+            feed([0.0, 20.0, 0.0], UP),
+            feed([-width, 20.0, 0.0], UP),
+            feed([-width, 0.0, 0.0], UP),
+            asked(CutterSide::Off),
+            feed([-width, -20.0, 0.0], UP),
+        ])
+    };
+    let config = set_up(Some(CutterPath::Contour));
+    assert_eq!(run::<Xyz>(&config, &slot(10.1)).diagnostics, []);
+    let text = run::<Xyz>(&config, &slot(9.9)).error().text.clone();
+    assert!(text.contains("would be 9.900 mm long, and its corners would take 10.000 mm of it"), "{text}");
+}
+
+#[test]
+fn a_contour_of_an_unknown_radius_is_posted_and_counted() {
+    let mut config = set_up(Some(CutterPath::Contour));
+    config.set_up.tools.get_mut(&1).expect("the tool").diameter_mm = None;
+    assert_eq!(run::<Xyz>(&config, &tight(CutterSide::Left)).diagnostics, []);
+}
+
 #[test]
 fn compensation_needs_the_plane_of_x_and_y_and_no_tip_control() {
     let other = Event::Function(MachineFunction::Compensation(Compensation {

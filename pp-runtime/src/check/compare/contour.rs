@@ -1,0 +1,120 @@
+//! Contours with cutter compensation: whether the tool fits along the path of the blocks.
+//!
+//! The path is that of the words, in their plane. Where it is the contour, the tool has its radius; where it is that of the tool
+//! centre, the largest wear, and the wear may have either sign: smaller tools are offset to the other side.
+
+use nalgebra::Vector2;
+
+use super::super::geometry::{ContourSide, FittedSide, NoFit};
+use super::super::read::{Action, ArcMove, Side, WorkPlane};
+use super::{Comparison, Current};
+
+/// Contour that is being followed.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct ContourState {
+    side: Side,
+    /// Radius of the tool, or the largest wear, and whether it is on the left; each with the last side.
+    tools: [Option<(f64, bool, Option<FittedSide>)>; 2],
+    /// Line of the CL data with the last side.
+    last_line: u64,
+}
+
+impl Comparison<'_> {
+    /// Follows a contour by a block that moves.
+    #[inline]
+    pub(super) fn follow_contour(&mut self, current: &Current<'_>) {
+        let side = current.block.state.side.unwrap_or_default();
+        if side != Side::None || self.contour.side != Side::None {
+            self.offset_contour(side, current);
+        }
+    }
+
+    #[inline(never)]
+    fn offset_contour(&mut self, side: Side, current: &Current<'_>) {
+        let line_number = self.progress.location().line;
+        let begins = self.contour.side == Side::None;
+        if begins {
+            self.contour = ContourState { side, tools: self.tools_on(side), last_line: line_number };
+        }
+        let Some(path) = self.side_of(current) else { return };
+        let mut faults = [const { None }; 2];
+        for (tool, fault) in self.contour.tools.iter_mut().zip(&mut faults) {
+            let Some((radius, left, last)) = tool else { continue };
+            let (radius, left) = (*radius, *left);
+            let fitted = match last {
+                None if begins => FittedSide::first(path, radius).map(Some),
+                None => continue,
+                Some(last) if side == Side::None => last.last(&path, radius, left).map(|()| None),
+                Some(last) => last.next(path, radius, left).map(Some),
+            };
+            match fitted {
+                Ok(fitted) => *last = fitted,
+                Err(no_fit) => {
+                    *last = None;
+                    *fault = Some((no_fit, radius));
+                }
+            }
+        }
+        for (index, fault) in faults.into_iter().enumerate() {
+            let text = fault.map(|(no_fit, radius)| self.no_fit_text(no_fit, (radius, index), begins));
+            self.found_any(current, text);
+        }
+        self.contour.last_line = line_number;
+        if side == Side::None {
+            self.contour = ContourState::default();
+        }
+    }
+
+    /// The tools that have to fit: radius, and whether it is on the left.
+    fn tools_on(&self, side: Side) -> [Option<(f64, bool, Option<FittedSide>)>; 2] {
+        let left = side == Side::Left;
+        let shop = &self.rules.policy().shop;
+        if shop.compensated_centre {
+            return [left, !left].map(|left| Some((shop.largest_wear_mm, left, None)));
+        }
+        let radius_mm = self.progress.next().and_then(|item| item.required.radius_mm);
+        [radius_mm.filter(|radius| *radius > 0.0).map(|radius| (radius, left, None)), None]
+    }
+
+    /// The side of a contour along which a block moves; `None` if it moves along the tool, or from an unknown position.
+    fn side_of(&self, current: &Current<'_>) -> Option<ContourSide> {
+        let block = current.block;
+        let [first, second, _] = WorkPlane::Xy.axes();
+        let xyz = self.rules.words().xyz();
+        let (first, second) = (xyz[first]?, xyz[second]?);
+        let needed = 1 << first | 1 << second;
+        if self.previous.known & block.known_before & needed != needed {
+            return None;
+        }
+        let at = |words: &[f64]| Vector2::new(words[first], words[second]);
+        let (from, to) = (at(&self.previous.words), at(&block.values));
+        let round = match block.action {
+            Action::Arc(ArcMove { centre: [x, y, _], sweep, .. }) => Some((Vector2::new(x, y), sweep)),
+            _ => None,
+        };
+        (round.is_some() || from != to).then_some(ContourSide { from, to, round })
+    }
+
+    fn no_fit_text(&self, no_fit: NoFit, (radius, index): (f64, usize), begins: bool) -> String {
+        let tool = match (self.rules.policy().shop.compensated_centre, index) {
+            (false, _) => format!("the tool radius of {radius:.3} mm"),
+            (true, 0) => format!("a wear of {radius:.3} mm"),
+            (true, _) => format!("a wear of -{radius:.3} mm"),
+        };
+        match no_fit {
+            NoFit::Arc(arc) => format!("{tool} does not fit into this arc with a radius of {arc:.3} mm"),
+            NoFit::Corner => format!("{tool} does not fit into the corner before this block"),
+            NoFit::Side { earlier, has, loses } => {
+                let which = match earlier {
+                    true => format!("the motion of CL line {}", self.contour.last_line),
+                    false => "this motion".to_owned(),
+                };
+                format!("offset by {tool}, {which} has {has:.3} mm, and loses {loses:.3} mm in its corners")
+            }
+            NoFit::Line(has) => {
+                let verb = if begins { "begins" } else { "ends" };
+                format!("compensation {verb} with a line of {has:.3} mm, no longer than {tool}")
+            }
+        }
+    }
+}

@@ -1,0 +1,250 @@
+//! A contour that a control offsets: whether the exact offset keeps a part of every element.
+//!
+//! Elements are lines and arcs in the plane of the program, mm. The exact offset of a line is a line, that of an arc an arc
+//! about the same centre. Around a convex corner the tool rolls, and nothing is lost. At a concave corner both offsets end
+//! where they meet: each loses a piece, the *trim*. An element is refused where its offset has no length left, or none at
+//! all: a control leaves it out, stops, or cuts into the part.
+//!
+//! The lead-in is an element like others, since LinuxCNC begins the contour where both offsets meet. No control
+//! lets the lead-out trim the contour, so it loses its own piece only. Elements that are not neighbours are not compared.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::kinematics::math;
+use crate::motion::tolerances::{LEAST_OFFSET, STRAIGHT_ON};
+
+/// Point or vector in the plane, mm.
+pub(crate) type InPlane = [f64; 2];
+
+/// A line or an arc of a contour.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ContourElement {
+    pub(crate) start: InPlane,
+    pub(crate) end: InPlane,
+    pub(crate) arc: Option<ContourArc>,
+}
+
+/// Circle of an arc.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ContourArc {
+    pub(crate) centre: InPlane,
+    /// Angle, + counter-clockwise.
+    pub(crate) sweep_rad: f64,
+}
+
+/// Why the tool does not fit a contour.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum OffsetMisfit {
+    /// A lead-in or lead-out that is not longer than the offset.
+    ShortLead { length_mm: f64 },
+    /// An arc around the tool, no larger than the offset.
+    InnerArc { radius_mm: f64 },
+    /// The offsets of both elements at a corner do not meet.
+    Apart,
+    /// The offset of an element has no length left; `before`: of the one before the corner.
+    Trimmed { before: bool, length_mm: f64, trim_mm: f64 },
+}
+
+/// The offset of a contour, element by element.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OffsetContour {
+    /// Distance to the left.
+    left_mm: f64,
+    last: Option<OffsetElement>,
+}
+
+/// The offset of one element.
+#[derive(Debug, Clone, Copy)]
+struct OffsetElement {
+    element: ContourElement,
+    /// Its radii at both ends, 0 for a line.
+    radii_mm: [f64; 2],
+    length_mm: f64,
+    /// Piece that is lost at its start.
+    trim_mm: f64,
+}
+
+impl ContourElement {
+    fn chord(&self) -> InPlane {
+        minus(self.end, self.start)
+    }
+
+    /// Length of a line.
+    fn length(&self) -> f64 {
+        norm(self.chord())
+    }
+
+    /// Unit vector along the element at its start or end.
+    fn direction(&self, at: InPlane) -> InPlane {
+        match self.arc {
+            None => unit(self.chord()),
+            Some(arc) => unit(left_of(minus(at, arc.centre))).map(|component| component * arc.sweep_rad.signum()),
+        }
+    }
+}
+
+impl OffsetContour {
+    /// A contour offset by a distance to the left of its direction, or to the right if it is negative, begins with its lead-in.
+    pub(crate) fn begin(left_mm: f64, lead_in: &ContourElement) -> Result<Self, OffsetMisfit> {
+        check_lead(lead_in, left_mm)?;
+        let mut contour = Self { left_mm, last: None };
+        contour.last = Some(contour.offset(lead_in)?);
+        Ok(contour)
+    }
+
+    /// The next element.
+    pub(crate) fn add(&mut self, element: &ContourElement) -> Result<(), OffsetMisfit> {
+        if element.arc.is_none() && element.length() <= 0.0 {
+            return Ok(());
+        }
+        let mut next = self.offset(element)?;
+        if let Some(last) = self.last {
+            let [before, after] = self.trims(&last, &next)?;
+            keeps(&last, true, last.trim_mm + before)?;
+            keeps(&next, false, after)?;
+            next.trim_mm = after;
+        }
+        self.last = Some(next);
+        Ok(())
+    }
+
+    /// The lead-out.
+    pub(crate) fn end(&self, lead_out: &ContourElement) -> Result<(), OffsetMisfit> {
+        check_lead(lead_out, self.left_mm)?;
+        let lead_out = self.offset(lead_out)?;
+        match self.last {
+            Some(last) => keeps(&lead_out, false, self.trims(&last, &lead_out)?[1]),
+            None => Ok(()),
+        }
+    }
+
+    /// The offset of an element.
+    fn offset(&self, element: &ContourElement) -> Result<OffsetElement, OffsetMisfit> {
+        let element = *element;
+        let Some(ContourArc { centre, sweep_rad }) = element.arc else {
+            return Ok(OffsetElement { element, radii_mm: [0.0; 2], length_mm: element.length(), trim_mm: 0.0 });
+        };
+        let radii = [element.start, element.end].map(|point| norm(minus(point, centre)));
+        let radii_mm = radii.map(|radius| radius - self.left_mm * sweep_rad.signum());
+        if math::smaller(radii_mm[0], radii_mm[1]) <= LEAST_OFFSET {
+            return Err(OffsetMisfit::InnerArc { radius_mm: math::smaller(radii[0], radii[1]) });
+        }
+        let length_mm = 0.5 * (radii_mm[0] + radii_mm[1]) * sweep_rad.abs();
+        Ok(OffsetElement { element, radii_mm, length_mm, trim_mm: 0.0 })
+    }
+
+    /// Change of direction at a corner, + towards the tool: a concave corner.
+    fn turn(&self, before: &ContourElement, after: &ContourElement) -> f64 {
+        let (from, to) = (before.direction(before.end), after.direction(after.start));
+        math::atan2(cross(from, to), dot(from, to)) * self.left_mm.signum()
+    }
+
+    /// The trims at a corner of the offset before it and of the one after it.
+    fn trims(&self, before: &OffsetElement, after: &OffsetElement) -> Result<[f64; 2], OffsetMisfit> {
+        let turn = self.turn(&before.element, &after.element);
+        // Back along the element before is around its end.
+        if turn <= STRAIGHT_ON || turn >= PI - STRAIGHT_ON {
+            return Ok([0.0; 2]);
+        }
+        let offset = |element: &ContourElement, at: InPlane| {
+            let normal = left_of(element.direction(at));
+            [at[0] + normal[0] * self.left_mm, at[1] + normal[1] * self.left_mm]
+        };
+        let ends = [offset(&before.element, before.element.end), offset(&after.element, after.element.start)];
+        let line = |element: &ContourElement, point: InPlane| (point, element.direction(element.start));
+        let [[_, before_mm], [after_mm, _]] = [before.radii_mm, after.radii_mm];
+        let points = match (before.element.arc, after.element.arc) {
+            (None, None) => return Ok([self.left_mm.abs() * tangent_of_half(turn); 2]),
+            (None, Some(arc)) => on_line_and_circle(line(&before.element, ends[0]), (arc.centre, after_mm)),
+            (Some(arc), None) => on_line_and_circle(line(&after.element, ends[1]), (arc.centre, before_mm)),
+            (Some(one), Some(other)) => on_circles((one.centre, before_mm), (other.centre, after_mm)),
+        };
+        let trims = |point| [before.between(point, ends[0]), after.between(ends[1], point)];
+        let cuts =
+            points.into_iter().flatten().map(trims).filter(|trims| trims.iter().all(|trim| *trim >= -LEAST_OFFSET));
+        let nearest = cuts.min_by(|one, other| (one[0] + one[1]).total_cmp(&(other[0] + other[1])));
+        Ok(nearest.ok_or(OffsetMisfit::Apart)?.map(|trim| math::larger(trim, 0.0)))
+    }
+}
+
+impl OffsetElement {
+    /// Length of the offset from a point of it to another in its direction.
+    fn between(&self, from: InPlane, to: InPlane) -> f64 {
+        let Some(ContourArc { centre, sweep_rad }) = self.element.arc else {
+            return dot(minus(to, from), self.element.direction(from));
+        };
+        let (from, to) = (minus(from, centre), minus(to, centre));
+        let angle = math::atan2(cross(from, to), dot(from, to)) * sweep_rad.signum();
+        let radius = self.length_mm / sweep_rad.abs();
+        // Back by rounding is not a revolution ahead.
+        if angle * radius >= -LEAST_OFFSET { angle * radius } else { (angle + TAU) * radius }
+    }
+}
+
+/// Refuses a lead-in or lead-out that is not longer than the offset.
+fn check_lead(lead: &ContourElement, left_mm: f64) -> Result<(), OffsetMisfit> {
+    let length_mm = lead.length();
+    if length_mm > left_mm.abs() + LEAST_OFFSET { Ok(()) } else { Err(OffsetMisfit::ShortLead { length_mm }) }
+}
+
+/// Refuses an offset of which a trim leaves nothing.
+fn keeps(offset: &OffsetElement, before: bool, trim_mm: f64) -> Result<(), OffsetMisfit> {
+    let length_mm = offset.length_mm;
+    match trim_mm < length_mm - LEAST_OFFSET {
+        true => Ok(()),
+        false => Err(OffsetMisfit::Trimmed { before, length_mm, trim_mm }),
+    }
+}
+
+fn minus(one: InPlane, other: InPlane) -> InPlane {
+    [one[0] - other[0], one[1] - other[1]]
+}
+
+fn dot(one: InPlane, other: InPlane) -> f64 {
+    one[0] * other[0] + one[1] * other[1]
+}
+
+fn cross(one: InPlane, other: InPlane) -> f64 {
+    one[0] * other[1] - one[1] * other[0]
+}
+
+fn norm(vector: InPlane) -> f64 {
+    math::hypot(vector[0], vector[1])
+}
+
+fn unit(vector: InPlane) -> InPlane {
+    let length = norm(vector);
+    vector.map(|component| component / length)
+}
+
+fn left_of(vector: InPlane) -> InPlane {
+    [-vector[1], vector[0]]
+}
+
+fn tangent_of_half(angle_rad: f64) -> f64 {
+    let (sine, cosine) = math::sin_cos(0.5 * angle_rad);
+    sine / cosine
+}
+
+/// Where a line, through a point along a direction, crosses a circle.
+fn on_line_and_circle((point, along): (InPlane, InPlane), (centre, radius): (InPlane, f64)) -> [Option<InPlane>; 2] {
+    let to_centre = minus(centre, point);
+    let (foot, distance) = (dot(to_centre, along), cross(along, to_centre).abs());
+    let squared = (radius - distance) * (radius + distance);
+    let at = |length: f64| [point[0] + along[0] * length, point[1] + along[1] * length];
+    [-1.0, 1.0].map(|sign| (squared >= 0.0).then(|| at(foot + sign * squared.sqrt())))
+}
+
+/// Where two circles cross.
+fn on_circles((one, one_mm): (InPlane, f64), (other, other_mm): (InPlane, f64)) -> [Option<InPlane>; 2] {
+    let step = minus(other, one);
+    let distance = norm(step);
+    let foot = 0.5 * (distance + (one_mm - other_mm) * (one_mm + other_mm) / distance);
+    let squared = (one_mm - foot) * (one_mm + foot);
+    let (along, across) = (unit(step), left_of(unit(step)));
+    let at = |height: f64| [0, 1].map(|axis| one[axis] + along[axis] * foot + across[axis] * height);
+    [-1.0, 1.0].map(|sign| (distance > 0.0 && squared >= 0.0).then(|| at(sign * squared.sqrt())))
+}
+
+#[cfg(test)]
+mod tests;
