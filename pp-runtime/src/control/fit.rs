@@ -375,6 +375,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         cycles: cycle_abilities(codes, demands),
         cycle_gaps_mm: ControlState::gaps_mm(codes.name, &demands.options.states),
         cutter_radius: cutter_radius(control, demands),
+        straight_corners: codes.straight_corners,
         tools_by_name: demands.options.tool_names,
         arc_planes: codes.arcs.planes.map(|plane| plane.is_some()),
         vectors_take_arc_words: vectors_take_arc_words(codes),

@@ -49,7 +49,7 @@ mod tests;
 pub use course::{Course, Navigator};
 pub use fault::PlanningError;
 pub(crate) use geometry::extent;
-pub use geometry::{ArcPlane, Circle};
+pub use geometry::{ArcPlane, Circle, StraightCorners};
 pub use modes::{ModeFinder, StretchModes};
 pub(crate) use options::nearly_zero;
 pub use options::{

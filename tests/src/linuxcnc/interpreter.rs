@@ -90,9 +90,28 @@ pub fn interpret(program: &str, off_mm: f64) -> Result<String, String> {
 /// # Panics
 /// If the interpreter cannot be run.
 pub fn interpret_edited(program: &str, original: &str, off_mm: f64) -> Result<String, String> {
+    run(program, original, (off_mm, 0.25 * 25.4))
+}
+
+/// As [`interpret`], with tools of this diameter, mm. In a table of wear it may be negative.
+///
+/// # Errors
+/// Message of the interpreter about a program that it refuses.
+///
+/// # Panics
+/// If the interpreter cannot be run.
+pub fn interpret_with_diameter(program: &str, diameter_mm: f64) -> Result<String, String> {
+    run(program, program, (0.0, diameter_mm))
+}
+
+/// Runs a program with the tools that `original` expects, longer by `off_mm`, of a diameter.
+fn run(program: &str, original: &str, (off_mm, diameter_mm): (f64, f64)) -> Result<String, String> {
     let folder = TempDir::new().expect("a temporary folder");
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("a file can be written");
-    let row = |(number, length): (u32, f64)| format!("T{number} P{number} Z{:+.7} D+0.25\n", (length + off_mm) / 25.4);
+    let diameter = diameter_mm / 25.4;
+    let row = |(number, length): (u32, f64)| {
+        format!("T{number} P{number} Z{:+.7} D{diameter:+.12}\n", (length + off_mm) / 25.4)
+    };
     write("tool.tbl", &lengths(original).into_iter().map(row).collect::<String>());
     write("params.var", "");
     write("program.ngc", program);

@@ -5,16 +5,17 @@
 
 use nalgebra::Vector2;
 
-use super::super::geometry::{ContourSide, FittedSide, NoFit};
+use super::super::geometry::{ContourSide, FitTool, FittedSide, NoFit};
 use super::super::read::{Action, ArcMove, Side, WorkPlane};
 use super::{Comparison, Current};
+use crate::program::Units;
 
 /// Contour that is being followed.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct ContourState {
     side: Side,
-    /// Radius of the tool, or the largest wear, and whether it is on the left; each with the last side.
-    tools: [Option<(f64, bool, Option<FittedSide>)>; 2],
+    /// The tool, or its largest wear to both sides; each with the last side.
+    tools: [Option<(FitTool, Option<FittedSide>)>; 2],
     /// Line of the CL data with the last side.
     last_line: u64,
 }
@@ -39,19 +40,19 @@ impl Comparison<'_> {
         let Some(path) = self.side_of(current) else { return };
         let mut faults = [const { None }; 2];
         for (tool, fault) in self.contour.tools.iter_mut().zip(&mut faults) {
-            let Some((radius, left, last)) = tool else { continue };
-            let (radius, left) = (*radius, *left);
+            let Some((tool, last)) = tool else { continue };
+            let tool = *tool;
             let fitted = match last {
-                None if begins => FittedSide::first(path, radius).map(Some),
+                None if begins => FittedSide::first(path, tool.radius).map(Some),
                 None => continue,
-                Some(last) if side == Side::None => last.last(&path, radius, left).map(|()| None),
-                Some(last) => last.next(path, radius, left).map(Some),
+                Some(last) if side == Side::None => last.last(&path, tool).map(|()| None),
+                Some(last) => last.next(path, tool).map(Some),
             };
             match fitted {
                 Ok(fitted) => *last = fitted,
                 Err(no_fit) => {
                     *last = None;
-                    *fault = Some((no_fit, radius));
+                    *fault = Some((no_fit, tool.radius));
                 }
             }
         }
@@ -65,15 +66,22 @@ impl Comparison<'_> {
         }
     }
 
-    /// The tools that have to fit: radius, and whether it is on the left.
-    fn tools_on(&self, side: Side) -> [Option<(f64, bool, Option<FittedSide>)>; 2] {
+    /// The tools that have to fit.
+    fn tools_on(&self, side: Side) -> [Option<(FitTool, Option<FittedSide>)>; 2] {
         let left = side == Side::Left;
+        let in_inches = self.rules.units() == Units::Inches;
+        let straight = self
+            .rules
+            .facts()
+            .straight_corners
+            .map_or([0.0; 2], |[largest, in_mm, in_inch]| [largest, if in_inches { in_inch } else { in_mm }]);
+        let tool = |radius: f64, left: bool| Some((FitTool { radius, left, straight }, None));
         let shop = &self.rules.policy().shop;
         if shop.compensated_centre {
-            return [left, !left].map(|left| Some((shop.largest_wear_mm, left, None)));
+            return [left, !left].map(|left| tool(shop.largest_wear_mm, left));
         }
         let radius_mm = self.progress.next().and_then(|item| item.required.radius_mm);
-        [radius_mm.filter(|radius| *radius > 0.0).map(|radius| (radius, left, None)), None]
+        [radius_mm.filter(|radius| *radius > 0.0).and_then(|radius| tool(radius, left)), None]
     }
 
     /// The side of a contour along which a block moves; `None` if it moves along the tool, or from an unknown position.
@@ -103,6 +111,12 @@ impl Comparison<'_> {
         };
         match no_fit {
             NoFit::Arc(arc) => format!("{tool} does not fit into this arc with a radius of {arc:.3} mm"),
+            NoFit::Straight(turn) => {
+                let (degrees, line) = (turn.abs().to_degrees(), self.contour.last_line);
+                format!(
+                    "the control takes the corner of {degrees:.3}° before the motion of CL line {line} as straight on, and stops at its end"
+                )
+            }
             NoFit::Corner => format!("{tool} does not fit into the corner before this block"),
             NoFit::Side { earlier, has, loses } => {
                 let which = match earlier {

@@ -12,4 +12,4 @@ pub(super) use clearance::{depth_of_box, depth_of_line, distance_out, size};
 pub(super) use extrema::{Extent, PathPoint, Search};
 pub(crate) use path::angle_between;
 pub(super) use path::{ArcPath, PathShape, RoundTip, Segment, bezier, is_within_angle, tool_pose};
-pub(super) use tool_fit::{ContourSide, FittedSide, NoFit};
+pub(super) use tool_fit::{ContourSide, FitTool, FittedSide, NoFit};

@@ -30,6 +30,8 @@ pub(crate) enum NoFit {
     Corner,
     /// A side that loses more than it has, mm; `earlier`: the one before the corner.
     Side { earlier: bool, has: f64, loses: f64 },
+    /// A side after a corner of this angle, rad, that the control takes as straight on: the side does not end where it should.
+    Straight(f64),
     /// A line onto or off the contour of this length, mm.
     Line(f64),
 }
@@ -39,6 +41,17 @@ pub(crate) enum NoFit {
 pub(crate) struct FittedSide {
     side: ContourSide,
     lost: f64,
+    /// Corner before it that the control takes as straight on, and length of the path by which the control begins it late.
+    straight: Option<(f64, f64)>,
+}
+
+/// The tool, and the corners that its control takes as straight on: the largest one, and the angle by which an arc after one may
+/// become longer, rad; 0 where it takes none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct FitTool {
+    pub(crate) radius: f64,
+    pub(crate) left: bool,
+    pub(crate) straight: [f64; 2],
 }
 
 /// Radius of a side as the tool goes round it: + with the tool inside, - outside; infinite for a line.
@@ -83,11 +96,12 @@ impl FittedSide {
     /// The line onto the contour of a tool of this radius.
     pub(crate) fn first(line: ContourSide, radius: f64) -> Result<Self, NoFit> {
         let has = (line.to - line.from).norm();
-        (has > radius + SPENT_SIDE).then_some(Self { side: line, lost: 0.0 }).ok_or(NoFit::Line(has))
+        (has > radius + SPENT_SIDE).then_some(Self { side: line, lost: 0.0, straight: None }).ok_or(NoFit::Line(has))
     }
 
     /// The side after this one.
-    pub(crate) fn next(&self, side: ContourSide, radius: f64, left: bool) -> Result<Self, NoFit> {
+    pub(crate) fn next(&self, side: ContourSide, tool: FitTool) -> Result<Self, NoFit> {
+        let FitTool { radius, left, straight: [largest, _] } = tool;
         let [start, end] = side.radii(left);
         if start > 0.0 && start.min(end) <= radius + SPENT_SIDE {
             return Err(NoFit::Arc(start.min(end)));
@@ -100,17 +114,41 @@ impl FittedSide {
                 return Err(NoFit::Side { earlier, has, loses });
             }
         }
-        Ok(Self { side, lost })
+        let turn = self.turn(&side, left);
+        if turn > largest || turn < -largest && side.round.is_none() {
+            self.ends(earlier, tool)?;
+        }
+        let late = || match side.round {
+            None => radius * turn.sin(),
+            Some(_) => {
+                let centre_off = start - radius * turn.cos();
+                (radius * turn.sin()).atan2(centre_off.abs()) * (start - radius).abs()
+            }
+        };
+        Ok(Self { side, lost, straight: (turn.abs() <= largest).then(|| (turn, late())) })
     }
 
     /// The line off the contour. It takes nothing of the contour, whose last side ends at its end on every control.
-    pub(crate) fn last(&self, line: &ContourSide, radius: f64, left: bool) -> Result<(), NoFit> {
+    pub(crate) fn last(&self, line: &ContourSide, tool: FitTool) -> Result<(), NoFit> {
+        let FitTool { radius, left, .. } = tool;
+        self.ends(0.0, tool)?;
         let has = (line.to - line.from).norm();
         if has <= radius + SPENT_SIDE {
             return Err(NoFit::Line(has));
         }
         let [_, loses] = self.losses(line, radius, left).ok_or(NoFit::Corner)?;
         if loses < has - SPENT_SIDE { Ok(()) } else { Err(NoFit::Side { earlier: false, has, loses }) }
+    }
+
+    /// Whether the control ends this side, which loses some of its end, where it should.
+    fn ends(&self, loses: f64, tool: FitTool) -> Result<(), NoFit> {
+        let Some((turn, late)) = self.straight else { return Ok(()) };
+        let has = self.side.tool_length(tool.radius, tool.left);
+        let fits = match self.side.round {
+            None => late + loses <= has,
+            Some((_, angle)) => late + loses < has && -late - loses <= tool.straight[1] * has / angle.abs(),
+        };
+        if fits { Ok(()) } else { Err(NoFit::Straight(turn)) }
     }
 
     /// Angle towards the tool at the corner after this side.
@@ -185,7 +223,7 @@ mod tests {
         let lead_in = ContourSide { from: start - along * 50.0, to: start, round: None };
         let mut last = FittedSide::first(lead_in, radius)?;
         for side in sides {
-            last = last.next(*side, radius, true)?;
+            last = last.next(*side, FitTool { radius, left: true, straight: [0.0; 2] })?;
         }
         Ok(())
     }

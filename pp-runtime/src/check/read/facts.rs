@@ -161,7 +161,7 @@ pub(crate) enum Form {
 }
 
 /// Properties of a family.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Facts {
     /// Form of the lines.
     pub(crate) form: Form,
@@ -179,6 +179,9 @@ pub(crate) struct Facts {
     pub(crate) radius_delta: bool,
     /// Cutter compensation takes the radius of the active edge, which a guard compares.
     pub(crate) radius_guard: bool,
+    /// Largest corner that is straight on for cutter compensation, and angle by which an arc after one may become longer in a
+    /// program in millimetres and in one in inches, rad. Otherwise the program stops.
+    pub(crate) straight_corners: Option<[f64; 3]>,
     /// A guard can compare the positions of rotary axes after a plane call.
     pub(crate) plane_guard: bool,
     /// The control has switched the spindle off after a thread that is in step with it.
@@ -289,6 +292,7 @@ const ISO: Facts = Facts {
     radius_registers: true,
     radius_delta: false,
     radius_guard: false,
+    straight_corners: None,
     plane_guard: false,
     // Rigid tapping: Fanuc B-63944EN/02 (2004), Haas 96-8000 (from memory).
     tap_stops_spindle: true,
@@ -361,6 +365,9 @@ impl Family {
             // tool 0: G-code documentation, G43. G0 and G28 in one block are two codes that use axis words: interp_check.cc. N is read as any
             // number: interp_read.cc, read_n_number. Motion codes, feed modes, compensation: interp_convert.cc.
             Self::LinuxCnc => Facts {
+                // interp_convert.cc, convert_straight_comp2 and convert_arc_comp2: TOLERANCE_CONCAVE_CORNER. interp_queue.cc: an
+                // arc that is longer than it was; 0.0254 and 0.001 are measured.
+                straight_corners: Some([0.05, 0.0254, 0.001]),
                 // interp_cycles.cc, convert_cycle.
                 cycle_takes_rotary: false,
                 several_coolant_codes: false,

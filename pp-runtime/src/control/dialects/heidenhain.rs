@@ -227,6 +227,7 @@ static SPELLINGS: Spellings = Spellings {
     motion_modal: false,
     no_compensation: "R0",
     compensation: ["RL", "RR", "R0"],
+    straight_corners: None,
     radius_data: [
         "R and DR of the tool table must hold the radius of the tool",
         "the tool call takes the radius off (DR)",

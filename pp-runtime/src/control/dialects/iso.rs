@@ -64,6 +64,7 @@ impl Spellings {
         no_compensation: "",
         compensation: ["G41 D{radius}", "G42 D{radius}", "G40"],
         radius_data: ["D must hold the radius of the tool", "D must hold wear only"],
+        straight_corners: None,
         machine: ["G53 G0", ""],
         retracts: &[MachineRetract::to_machine_coordinate("G53")],
         tool_change: &["T{tool} M6", "T{next}"],

@@ -3,7 +3,7 @@
 //! Texts with braces are [templates](crate::control::template).
 
 use crate::motion::PathNorm;
-use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
+use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers, StraightCorners};
 use crate::nc::Formats;
 use crate::nc::Numerals;
 use crate::program::Rotation;
@@ -104,6 +104,8 @@ pub struct Spellings {
     /// Required content of the radius data of the control for a path of the contour, and for one of the tool centre; printed in
     /// the program header.
     pub radius_data: [&'static str; 2],
+    /// Corners that the control takes as straight on with cutter compensation.
+    pub straight_corners: Option<StraightCorners>,
     /// Codes before and after the words of a rapid in machine coordinates.
     pub machine: [&'static str; 2],
     /// Machine retracts that the control has, by the names of `retract.method`; the first one where the configuration names

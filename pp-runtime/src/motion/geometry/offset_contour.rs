@@ -5,6 +5,9 @@
 //! where they meet: each loses a piece, the *trim*. An element is refused where its offset has no length left, or none at
 //! all: a control leaves it out, stops, or cuts into the part.
 //!
+//! A control may take a small corner as straight on: the element after it begins where the one before has ended, and an arc that
+//! becomes longer by that stops the program.
+//!
 //! The lead-in is an element like others, since LinuxCNC begins the contour where both offsets meet. No control
 //! lets the lead-out trim the contour, so it loses its own piece only. Elements that are not neighbours are not compared.
 
@@ -32,6 +35,15 @@ pub(crate) struct ContourArc {
     pub(crate) sweep_rad: f64,
 }
 
+/// Corners that a control takes as straight on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StraightCorners {
+    /// Largest angle of such a corner.
+    pub largest_rad: f64,
+    /// Angle by which an arc after one may become longer, in a program in millimetres and in one in inches.
+    pub longer_rad: [f64; 2],
+}
+
 /// Why the tool does not fit a contour.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum OffsetMisfit {
@@ -41,6 +53,8 @@ pub(crate) enum OffsetMisfit {
     InnerArc { radius_mm: f64 },
     /// The offsets of both elements at a corner do not meet.
     Apart,
+    /// An element after a corner that the control takes as straight on cannot end where it should.
+    StraightCorner { corner_rad: f64 },
     /// The offset of an element has no length left; `before`: of the one before the corner.
     Trimmed { before: bool, length_mm: f64, trim_mm: f64 },
 }
@@ -50,6 +64,8 @@ pub(crate) enum OffsetMisfit {
 pub(crate) struct OffsetContour {
     /// Distance to the left.
     left_mm: f64,
+    /// Largest corner that the control takes as straight on, and angle by which an arc may become longer; 0 where it takes none.
+    straight_rad: [f64; 2],
     last: Option<OffsetElement>,
 }
 
@@ -62,6 +78,8 @@ struct OffsetElement {
     length_mm: f64,
     /// Piece that is lost at its start.
     trim_mm: f64,
+    /// Corner before it that the control takes as straight on, and place on the offset where it begins.
+    after_corner: Option<(f64, f64)>,
 }
 
 impl ContourElement {
@@ -87,9 +105,15 @@ impl OffsetContour {
     /// A contour offset by a distance to the left of its direction, or to the right if it is negative, begins with its lead-in.
     pub(crate) fn begin(left_mm: f64, lead_in: &ContourElement) -> Result<Self, OffsetMisfit> {
         check_lead(lead_in, left_mm)?;
-        let mut contour = Self { left_mm, last: None };
+        let mut contour = Self { left_mm, straight_rad: [0.0; 2], last: None };
         contour.last = Some(contour.offset(lead_in)?);
         Ok(contour)
+    }
+
+    /// The same on a control that takes corners as straight on: the largest one, and the angle by which an arc may become longer.
+    pub(crate) fn with_straight_corners(mut self, straight_rad: [f64; 2]) -> Self {
+        self.straight_rad = straight_rad;
+        self
     }
 
     /// The next element.
@@ -103,6 +127,14 @@ impl OffsetContour {
             keeps(&last, true, last.trim_mm + before)?;
             keeps(&next, false, after)?;
             next.trim_mm = after;
+            let (turn, [largest, _]) = (self.turn(&last.element, element), self.straight_rad);
+            if turn > largest || turn < -largest && element.arc.is_none() {
+                self.reaches_end(&last, before)?;
+            }
+            if turn.abs() <= largest {
+                let [from, to] = self.ends(&last, &next);
+                next.after_corner = Some((turn, next.ahead(to, from)));
+            }
         }
         self.last = Some(next);
         Ok(())
@@ -112,17 +144,22 @@ impl OffsetContour {
     pub(crate) fn end(&self, lead_out: &ContourElement) -> Result<(), OffsetMisfit> {
         check_lead(lead_out, self.left_mm)?;
         let lead_out = self.offset(lead_out)?;
-        match self.last {
-            Some(last) => keeps(&lead_out, false, self.trims(&last, &lead_out)?[1]),
-            None => Ok(()),
-        }
+        let Some(last) = self.last else { return Ok(()) };
+        self.reaches_end(&last, 0.0)?;
+        keeps(&lead_out, false, self.trims(&last, &lead_out)?[1])
     }
 
     /// The offset of an element.
     fn offset(&self, element: &ContourElement) -> Result<OffsetElement, OffsetMisfit> {
         let element = *element;
         let Some(ContourArc { centre, sweep_rad }) = element.arc else {
-            return Ok(OffsetElement { element, radii_mm: [0.0; 2], length_mm: element.length(), trim_mm: 0.0 });
+            return Ok(OffsetElement {
+                element,
+                radii_mm: [0.0; 2],
+                length_mm: element.length(),
+                trim_mm: 0.0,
+                after_corner: None,
+            });
         };
         let radii = [element.start, element.end].map(|point| norm(minus(point, centre)));
         let radii_mm = radii.map(|radius| radius - self.left_mm * sweep_rad.signum());
@@ -130,7 +167,30 @@ impl OffsetContour {
             return Err(OffsetMisfit::InnerArc { radius_mm: math::smaller(radii[0], radii[1]) });
         }
         let length_mm = 0.5 * (radii_mm[0] + radii_mm[1]) * sweep_rad.abs();
-        Ok(OffsetElement { element, radii_mm, length_mm, trim_mm: 0.0 })
+        Ok(OffsetElement { element, radii_mm, length_mm, trim_mm: 0.0, after_corner: None })
+    }
+
+    /// Refuses an element that does not end where it should, from where the control begins it.
+    fn reaches_end(&self, last: &OffsetElement, trim_mm: f64) -> Result<(), OffsetMisfit> {
+        let Some((corner_rad, begins_mm)) = last.after_corner else { return Ok(()) };
+        let left_mm = last.length_mm - trim_mm - begins_mm;
+        let reaches = match last.element.arc {
+            None => left_mm >= 0.0,
+            Some(arc) => {
+                let radius = last.length_mm / arc.sweep_rad.abs();
+                let drawn_mm = if left_mm > 0.0 { left_mm } else { left_mm + TAU * radius };
+                drawn_mm <= last.length_mm + self.straight_rad[1] * radius
+            }
+        };
+        if reaches { Ok(()) } else { Err(OffsetMisfit::StraightCorner { corner_rad }) }
+    }
+
+    /// The offsets of a corner: the end of the element before, and the start of the one after it.
+    fn ends(&self, before: &OffsetElement, after: &OffsetElement) -> [InPlane; 2] {
+        [(before, before.element.end), (after, after.element.start)].map(|(offset, at)| {
+            let normal = left_of(offset.element.direction(at));
+            [at[0] + normal[0] * self.left_mm, at[1] + normal[1] * self.left_mm]
+        })
     }
 
     /// Change of direction at a corner, + towards the tool: a concave corner.
@@ -146,11 +206,7 @@ impl OffsetContour {
         if turn <= STRAIGHT_ON || turn >= PI - STRAIGHT_ON {
             return Ok([0.0; 2]);
         }
-        let offset = |element: &ContourElement, at: InPlane| {
-            let normal = left_of(element.direction(at));
-            [at[0] + normal[0] * self.left_mm, at[1] + normal[1] * self.left_mm]
-        };
-        let ends = [offset(&before.element, before.element.end), offset(&after.element, after.element.start)];
+        let ends = self.ends(before, after);
         let line = |element: &ContourElement, point: InPlane| (point, element.direction(element.start));
         let [[_, before_mm], [after_mm, _]] = [before.radii_mm, after.radii_mm];
         let points = match (before.element.arc, after.element.arc) {
@@ -168,16 +224,23 @@ impl OffsetContour {
 }
 
 impl OffsetElement {
-    /// Length of the offset from a point of it to another in its direction.
-    fn between(&self, from: InPlane, to: InPlane) -> f64 {
+    /// Length of the offset from a point of it to another, + in its direction; at most half a revolution.
+    fn ahead(&self, from: InPlane, to: InPlane) -> f64 {
         let Some(ContourArc { centre, sweep_rad }) = self.element.arc else {
             return dot(minus(to, from), self.element.direction(from));
         };
         let (from, to) = (minus(from, centre), minus(to, centre));
-        let angle = math::atan2(cross(from, to), dot(from, to)) * sweep_rad.signum();
-        let radius = self.length_mm / sweep_rad.abs();
-        // Back by rounding is not a revolution ahead.
-        if angle * radius >= -LEAST_OFFSET { angle * radius } else { (angle + TAU) * radius }
+        math::atan2(cross(from, to), dot(from, to)) * self.length_mm / sweep_rad
+    }
+
+    /// The same in its direction.
+    fn between(&self, from: InPlane, to: InPlane) -> f64 {
+        let ahead = self.ahead(from, to);
+        match self.element.arc {
+            // Back by rounding is not a revolution ahead.
+            Some(arc) if ahead < -LEAST_OFFSET => ahead + TAU * self.length_mm / arc.sweep_rad.abs(),
+            _ => ahead,
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::motion::options::PathNorm;
 use crate::program::Coolants;
 
+use crate::motion::geometry::StraightCorners;
 use crate::motion::place::PlaneAbility;
 use crate::motion::place::{TipAbility, TipStart};
 use crate::motion::step::CycleAbilities;
@@ -31,6 +32,8 @@ pub struct Abilities {
     pub cycle_gaps_mm: [Option<f64>; 2],
     /// Radius that cutter compensation takes.
     pub cutter_radius: CutterRadius,
+    /// Corners that it takes as straight on with cutter compensation.
+    pub straight_corners: Option<StraightCorners>,
     /// Tools are called by their names.
     pub tools_by_name: bool,
     /// Arcs are possible in the plane perpendicular to X, to Y and to Z.

@@ -21,7 +21,7 @@ use nalgebra::Vector3;
 
 use crate::kinematics::math;
 use crate::motion::options::{ArcOutput, CutterPath, Policy, StretchMode};
-use crate::program::{Arc, Compensation, CutterSide, Event, Move, ReferenceGeometry};
+use crate::program::{Arc, Compensation, CutterSide, Event, Move, ReferenceGeometry, Units};
 
 use self::offset::Offsets;
 use crate::motion::fault::{Fault, Planned};
@@ -47,6 +47,7 @@ pub(crate) struct CutterCompensation {
     register: Option<u32>,
     state: Compensating,
     offsets: Offsets,
+    units: Units,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -61,6 +62,11 @@ enum Compensating {
 }
 
 impl CutterCompensation {
+    /// Off, in a program in these units.
+    pub(crate) fn new(units: Units) -> Self {
+        Self { units, ..Self::default() }
+    }
+
     /// Whether compensation is neither requested nor in force.
     #[inline]
     pub(crate) fn is_idle(&self) -> bool {

@@ -135,7 +135,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             coolant: CoolantState::default(),
             clearance: ClearanceGeometry::new(policy.options.retract.clearance),
             course: CourseFollower::default(),
-            cutter: CutterCompensation::default(),
+            cutter: CutterCompensation::new(units),
             selection: Selection::default(),
             modes: ModeFollower::new(StretchModes::all(policy.options.mode_of_all().unwrap_or_default())),
             usable: UsableModes::default(),

@@ -95,7 +95,7 @@ fn an_acute_lead_takes_more_than_the_offset() {
 fn a_line_and_an_arc_lose_what_the_tool_cannot_reach() {
     // The line meets an arc with a radius of 4 whose centre is 3 above it; the tool has a radius of 1.
     let x = 7.0_f64.sqrt();
-    let offset = OffsetContour { left_mm: 1.0, last: None };
+    let offset = OffsetContour { left_mm: 1.0, straight_rad: [0.0; 2], last: None };
     let (before, after) = (line([-9.0, 0.0], [x, 0.0]), arc([x, 0.0], [0.0, 7.0], [0.0, 3.0], 139.0));
     let [line, arc] = offset
         .trims(&offset.offset(&before).expect("a line"), &offset.offset(&after).expect("an arc"))
@@ -117,6 +117,32 @@ fn offsets_that_do_not_meet_are_apart() {
     };
     assert_eq!(offset_anyhow(9.0, &lens(10.0)), Err(OffsetMisfit::Apart));
     assert_eq!(offset_anyhow(4.0, &lens(10.0)), Ok(()));
+}
+
+#[test]
+fn a_corner_that_the_control_takes_as_straight_on_may_make_an_arc_too_long() {
+    // The arc begins 2.5 degrees away from the tool: 5 mm sin 2.5 / 2 mm = 6.2 degrees before its start.
+    let (sine, cosine) = math::sin_cos(-2.5_f64.to_radians());
+    let centre = [-7.0 * sine, 7.0 * cosine];
+    let (turned_sine, turned_cosine) = math::sin_cos(-1.0_f64.to_radians());
+    let end = [centre[0] + 7.0 * turned_cosine, centre[1] + 7.0 * turned_sine];
+    let sweep = 90.0 + 2.5 - 1.0;
+    let contour = [
+        line([-30.0, 0.0], [-9.0, 0.0]),
+        line([-9.0, 0.0], [0.0, 0.0]),
+        arc([0.0, 0.0], end, centre, sweep),
+        line(end, [40.0, 20.0]),
+    ];
+    let on = |straight_rad| {
+        let mut offset = OffsetContour::begin(5.0, &contour[0]).expect("a lead-in").with_straight_corners(straight_rad);
+        offset.add(&contour[1])?;
+        offset.add(&contour[2])?;
+        offset.end(&contour[3])
+    };
+    assert_eq!(on([0.0; 2]), Ok(()));
+    assert_eq!(on([0.05, 0.12]), Ok(()));
+    assert!(matches!(on([0.05, 0.0254]), Err(OffsetMisfit::StraightCorner { .. })));
+    assert_eq!(on([0.04, 0.0254]), Ok(()));
 }
 
 #[test]

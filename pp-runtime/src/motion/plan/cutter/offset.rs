@@ -12,6 +12,7 @@ use crate::motion::options::CutterPath;
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::Planner;
 use crate::motion::step::Sink;
+use crate::program::Units;
 
 /// Offsets of the contour in force.
 #[derive(Debug, Default)]
@@ -52,10 +53,14 @@ pub(super) fn select<S: Sink>(planner: &mut Planner<'_, S>, left: bool) {
 /// The lead-in has been written.
 pub(super) fn begin<S: Sink>(planner: &mut Planner<'_, S>, from: &AxisPosition) -> Result<(), Fault> {
     let Some(lead_in) = written(planner, from) else { return Ok(()) };
+    let in_inches = usize::from(planner.cutter.units == Units::Inches);
+    let straight = planner.abilities.straight_corners;
+    let straight_rad = straight.map_or([0.0; 2], |corners| [corners.largest_rad, corners.longer_rad[in_inches]]);
     for index in 0..2 {
         let Some(left_mm) = planner.cutter.offsets.left_mm[index] else { continue };
         let begun = OffsetContour::begin(left_mm, &lead_in);
-        planner.cutter.offsets.contours[index] = Some(begun.map_err(|misfit| fault(planner, index, Lead::In, misfit))?);
+        let begun = begun.map_err(|misfit| fault(planner, index, Lead::In, misfit))?;
+        planner.cutter.offsets.contours[index] = Some(begun.with_straight_corners(straight_rad));
     }
     planner.cutter.offsets.last_line = planner.mover.output().location().line;
     Ok(())
@@ -157,6 +162,15 @@ fn fault<S: Sink>(planner: &Planner<'_, S>, index: usize, lead: Lead, misfit: Of
         }
         OffsetMisfit::InnerArc { radius_mm } => {
             Fault::new(format_args!("{by} does not fit into this arc with a radius of {radius_mm:.3} mm"))
+        }
+        OffsetMisfit::StraightCorner { corner_rad } => {
+            let degrees = corner_rad.abs().to_degrees();
+            let largest = planner.abilities.straight_corners.map_or(0.0, |corners| corners.largest_rad.to_degrees());
+            return Fault::new(format_args!(
+                "this control takes the corner of {degrees:.3} degrees before the motion of line {last_line} as straight on, and stops \
+                 at the end of that motion with {by}"
+            ))
+            .help(format_args!("let CAM output this corner tangential, or larger than {largest:.1} degrees"));
         }
         OffsetMisfit::Apart => Fault::new(format_args!(
             "{by} does not fit into the corner before this motion: the offsets of both motions do not meet"
