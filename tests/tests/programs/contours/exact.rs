@@ -108,7 +108,7 @@ impl Piece {
             left.abs() - neighbour.distance(self.tool(share, left), left, !end)
         };
         // In small steps near the corner: at one that is nearly straight on the tool is clear for a moment only.
-        let near = (0..PARTS).map(|part| 10_f64.powf(10.0 * (f64::from(part) / f64::from(PARTS) - 1.0)));
+        let near = std::iter::successors(Some(1e-10), |share| Some(share * 1.006)).take_while(|share| *share < 1.0);
         let mut shares: Vec<f64> = near.chain((1..=PARTS).map(|part| f64::from(part) / f64::from(PARTS))).collect();
         shares.sort_by(f64::total_cmp);
         let Some(index) = shares.iter().position(|lost| deep(*lost) <= 0.0) else {
