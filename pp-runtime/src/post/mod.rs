@@ -118,7 +118,7 @@ pub struct Report {
     pub rotary_end: Vec<(char, f64)>,
     /// Assumptions: settings that were not given, one sentence each.
     pub assumptions: Vec<String>,
-/// Conditions on the states of the control, one sentence each.
+    /// Conditions on the states of the control, one sentence each.
     pub conditions: Vec<String>,
     /// Linear axes whose limits were not checked, a retract whose way was not compared, and contours whose tool has no known radius,
     /// with the reason; empty if all were.
