@@ -19,8 +19,12 @@
 //! # Ok::<(), std::io::Error>(())
 //! ```
 
+mod quantity;
+
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3};
+
+pub(crate) use quantity::Shown;
 
 /// Whether a text is a block of printable ASCII characters, which all controls read alike.
 pub(crate) fn is_nc_text(text: &[u8]) -> bool {

@@ -585,7 +585,10 @@ impl<R: Read> ClReader<R> {
             && reading.units().known() == Some(Units::Millimetres)
             && largest_mm < SMALLEST_LARGEST_CUTTER_MM
         {
-            let text = format!("the largest cutter has a diameter of {largest_mm} mm: is this file in inch?");
+            let text = format!(
+                "the largest cutter has a diameter of {}: is this file in inch?",
+                Units::Millimetres.length(largest_mm)
+            );
             let (severity, help) = match reading.options().units_confirmed {
                 true => (
                     Severity::Warning,

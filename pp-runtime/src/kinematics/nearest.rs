@@ -29,10 +29,10 @@ impl fmt::Display for NotNearest {
         match self {
             Self::Unreachable(reason) => reason.fmt(f),
             Self::OutsideTravel { axis: axis @ 'A'..='C', value } => {
-                write!(f, "{axis} is outside its travel, at {} degrees", value.to_degrees())
+                write!(f, "{axis} is outside its travel, at {:.4} degrees", value.to_degrees())
             }
             Self::OutsideTravel { axis, value } => {
-                write!(f, "{axis} is outside its travel, at machine coordinate {value} mm")
+                write!(f, "{axis} is outside its travel, at machine coordinate {value:.4} mm")
             }
         }
     }

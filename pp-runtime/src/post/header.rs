@@ -16,8 +16,7 @@ use crate::motion::{
     CutterPath, CycleOutput, Links, StretchMode, StretchModes, TcpFrame, TipStart, ToolPosture, Wrap, rotaries_of,
 };
 use crate::nc::{Decimal, write_decimal};
-use crate::program::Rotation;
-use crate::program::Units;
+use crate::program::{Rotation, Shown, Units};
 use crate::set_up::{AxisBounds, ClPoint, GivenTool};
 use crate::set_up::{LengthMode, ProgramZero, Stock, part_angles};
 
@@ -118,19 +117,22 @@ pub(crate) fn assumptions(
     if !config.is_given("work_offset") {
         list.push(format!("work offset {}", work_offset(control, config)));
     }
+    let units = units_of(config, survey);
     if !config.is_given("retract.position") {
-        list.push(format!("retract to machine coordinate {} mm", config.motion.retract.position_mm()));
+        list.push(format!("retract to machine coordinate {}", units.length(config.motion.retract.position_mm())));
     }
     if !config.is_given("approach.distance") {
-        list.push(format!("approach distance {} mm along the tool axis", config.motion.approach.distance_mm));
+        list.push(format!(
+            "approach distance {} along the tool axis",
+            units.length(config.motion.approach.distance_mm)
+        ));
     }
     let links = survey.stretches.linked > 0 && config.motion.rapids.links == Links::Follow;
     let delivered = control.spellings().linear_rapids == LinearRapids::AsDelivered;
     if links && delivered && config.control.linear_rapids.is_none() {
         list.push("all axes of a rapid arrive together, as the control is delivered".to_owned());
     }
-    let units = config.output_units.or(survey.file.units);
-    if units == Some(Units::Inches) && abilities.feed_per_inch > 1.0 && control.spellings().cycles.is_some() {
+    if units == Units::Inches && abilities.feed_per_inch > 1.0 && control.spellings().cycles.is_some() {
         let per_inch = abilities.feed_per_inch;
         list.push(format!("F is in 1/{per_inch} inch/min, in cycles (Q206) as well"));
     }
@@ -188,6 +190,7 @@ pub(crate) fn assumptions(
 
 /// Settings of the set-up that differ from the plain case, one sentence each.
 pub(crate) fn set_up(machine: &dyn AnyMachine, control: &dyn Control, config: &Config, survey: &Survey) -> Vec<String> {
+    let units = units_of(config, survey);
     let mut list = Vec::new();
     if let Some(Ok(selected)) = &survey.selected {
         let (first, last, all) = (selected.start(), selected.end(), survey.operations);
@@ -208,7 +211,9 @@ pub(crate) fn set_up(machine: &dyn AnyMachine, control: &dyn Control, config: &C
         };
         let offset = offset_name(control, further.work_offset.as_deref().unwrap_or_default());
         let [x, y, z] = further.part_origin;
-        let mut line = format!("set-up {number}, {begins}: work offset {offset}, part origin X{x} Y{y} Z{z} mm");
+        let [x, y, z] = [x, y, z].map(|mm| units.length(mm).number());
+        let unit = units.name();
+        let mut line = format!("set-up {number}, {begins}: work offset {offset}, part origin X{x} Y{y} Z{z} {unit}");
         let [rx, ry, rz] = part_angles(&further.part_rotation);
         if [rx, ry, rz].iter().any(|angle| angle.abs() > 0.0) {
             line += &format!(", part rotation {rx}, {ry}, {rz} degrees");
@@ -222,21 +227,21 @@ pub(crate) fn set_up(machine: &dyn AnyMachine, control: &dyn Control, config: &C
         ));
     }
     list.extend(config.set_up.wider_limits(machine.axes()));
-    let units = config.output_units.or(survey.file.units);
     let options = &config.control;
     let measures = !options.measure_tool.is_empty() || !options.check_tool.is_empty() || !config.cl.probes.is_empty();
-    if units == Some(Units::Inches) && measures {
+    if units == Units::Inches && measures {
         list.push("blocks of `cycles` are written as they are: their lengths are inches in this program".to_owned());
     }
     for state in states(control, config, survey) {
         if let Some(value) = config.control.states.get(state.key) {
-            list.push(format!("{} must be {value} mm", state.title()));
+            list.push(format!("{} must be {}", state.title(), units.length(*value)));
         }
     }
-    list.extend(retract(control, config));
+    list.extend(retract(control, config, units));
     if let Some(lift) = config.motion.lift_mm {
         list.push(format!(
-            "DRY RUN: every point is {lift} mm further out along the tool axis, spindle and coolant off"
+            "DRY RUN: every point is {} further out along the tool axis, spindle and coolant off",
+            units.length(lift)
         ));
     }
     if config.set_up.program_zero == ProgramZero::Table {
@@ -252,50 +257,34 @@ pub(crate) fn set_up(machine: &dyn AnyMachine, control: &dyn Control, config: &C
     list
 }
 
-/// Conditions on the states of the control, one sentence each.
-pub(crate) fn conditions(
-    machine: &dyn AnyMachine,
-    control: &dyn Control,
-    config: &Config,
-    survey: &Survey,
-) -> Vec<String> {
-    let rotary = machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held);
-    let native = config.motion.cycles.output == CycleOutput::Native && config.motion.lift_mm.is_none();
-    let uses = ProgramUses {
-        rotary,
-        tip_control: survey.modes.has(StretchMode::Tcp),
-        planes: survey.modes.has(StretchMode::Plane),
-        compensation: config.motion.compensation.is_some(),
-        cycles: native && survey.holes,
-        offset_guard: control::abilities(control, config.demands()).guards_offset,
-        length_guard: config.motion.guards.length_guard == Some(true),
-    };
-    let mut list = control::conditions(control, &config.control, &uses);
-    if rotary && config.control.tip_control == Some(TipControlSwitch::None) {
-        list.push("the control has no kinematics with tip control in force, from its start".to_owned());
-    }
-    list
+/// Unit of the program.
+fn units_of(config: &Config, survey: &Survey) -> Units {
+    config.output_units.or(survey.file.units).unwrap_or_default()
 }
 
 /// What the machine retract needs where it is no motion to a machine coordinate, and the home positions.
-fn retract(control: &dyn Control, config: &Config) -> Vec<String> {
-    let (retract, position) = (&config.motion.retract, config.motion.retract.position_mm());
+fn retract(control: &dyn Control, config: &Config, units: Units) -> Vec<String> {
+    let (retract, position) = (&config.motion.retract, units.length(config.motion.retract.position_mm()));
     let method = match (config.control.own_retract(), config.control.retract_form(control.spellings())) {
         (Some(blocks), _) => {
-            Some(format!("machine retract by {}: it must end at machine coordinate {position} mm", blocks.join(", ")))
+            Some(format!("machine retract by {}: it must end at machine coordinate {position}", blocks.join(", ")))
         }
         (None, Some(RetractForm::ReferencePosition { .. })) => {
-            Some(format!("machine retract to the reference position, which must be machine coordinate {position} mm"))
+            Some(format!("machine retract to the reference position, which must be machine coordinate {position}"))
         }
         (None, Some(RetractForm::AlongTool { .. })) => {
-            Some(format!("machine retract to the end of the travel, which must be machine coordinate {position} mm"))
+            Some(format!("machine retract to the end of the travel, which must be machine coordinate {position}"))
         }
         (None, Some(RetractForm::MachineCoordinate) | None) => None,
     };
-    let given: Vec<String> = retract.xy_mm.iter().map(|(letter, mm)| format!("{letter} {mm} mm")).collect();
+    let given: Vec<String> =
+        retract.xy_mm.iter().map(|(letter, mm)| format!("{letter} {}", units.length(*mm))).collect();
     let home = retract.home_on_indexing.then(|| {
         let positions = if given.is_empty() { String::new() } else { format!("{}, else ", given.join(", ")) };
-        format!("before the rotary axes rotate the other linear axes go to machine coordinate {positions}0 mm")
+        format!(
+            "before the rotary axes rotate the other linear axes go to machine coordinate {positions}{}",
+            units.length(0.0)
+        )
     });
     method.into_iter().chain(home).collect()
 }
@@ -348,6 +337,7 @@ fn frames(vote: &FrameVote, config: &Config) -> Vec<String> {
 
 /// How the CL data was read: CAM system, arcs, frames, words that were ignored. One sentence each.
 pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
+    let units = units_of(config, survey);
     let how = match (config.cl.dialect, survey.file.dialect) {
         (Some(_), _) => ", as given",
         (None, Dialect::Generic) => "",
@@ -394,12 +384,14 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
         (true, _) => {
             Some(format!("T{number} is one tool with the sizes of the configuration, whatever the CL data states"))
         }
-        (false, Some(path)) => Some(format!("T{number} follows paths for a diameter of {path} mm on purpose")),
+        (false, Some(path)) => {
+            Some(format!("T{number} follows paths for a diameter of {} on purpose", units.length(path)))
+        }
         (false, None) => None,
     };
     list.extend(config.set_up.tools.iter().filter_map(of_tool));
     if let Some(feed) = config.cl.default_feed_mm_per_min {
-        list.push(format!("feed until the first FEDRAT: {feed} mm/min, as configured"));
+        list.push(format!("feed until the first FEDRAT: {}, as configured", units.feed(feed)));
     }
     if config.cl.insert == Insert::Write {
         list.push("the text of INSERT is written without a check".to_owned());
@@ -553,7 +545,10 @@ impl Header<'_> {
             CycleForm::Definitions(_) => "",
         };
         let setting = if setting.is_empty() { String::new() } else { format!(": {setting} must be {direction}") };
-        Some(format!("FINE BORING: the tool leaves the wall along {direction} by {} mm{setting}", cycles.bore_shift_mm))
+        Some(format!(
+            "FINE BORING: the tool leaves the wall along {direction} by {}{setting}",
+            self.units.length(cycles.bore_shift_mm)
+        ))
     }
 
     /// Whether rotary axes move in cuts.
@@ -644,7 +639,7 @@ impl Header<'_> {
         let values = self.machine.dimensions().iter().enumerate().map(|(index, dimension)| {
             let value = self.machine.dimension(index);
             match dimension.kind {
-                DimensionKind::Length => format!("{} = {value} mm", dimension.name),
+                DimensionKind::Length => format!("{} = {} mm", dimension.name, Shown(value)),
                 DimensionKind::Angle => format!("{} = {} deg", dimension.name, rounded(value.to_degrees())),
             }
         });

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use crate::config::{Config, list, nearest};
 use crate::diag::{Diagnostic, Severity};
 use crate::motion::{Mode, OperationChoice, OperationSettings, OperationStart, Operations, Singular};
-use crate::program::Location;
+use crate::program::{Location, Shown};
 
 /// Largest number of operation names that are kept for a message.
 const MOST_NAMES: usize = 1000;
@@ -148,13 +148,13 @@ fn differences(config: &Config, settings: &OperationSettings) -> Vec<String> {
     let smoothing = settings.smoothing.filter(|level| *level != config.control.smoothing);
     let singular = settings.singular.filter(|singular| *singular != motion.singular);
     let tolerance = settings.tolerance_mm.filter(|tolerance| tolerance.total_cmp(&motion.tolerance_mm).is_ne());
-    let feed = settings.largest_feed_mm_per_min.map(|feed| format!("feed at most {feed} mm/min"));
+    let feed = settings.largest_feed_mm_per_min.map(|feed| format!("feed at most {} mm/min", Shown(feed)));
     [
         mode,
         smoothing.map(|level| format!("smoothing {}", level.name())),
-        settings.path_tolerance_mm.map(|tolerance| format!("path tolerance {tolerance} mm")),
+        settings.path_tolerance_mm.map(|tolerance| format!("path tolerance {} mm", Shown(tolerance))),
         singular.map(|singular| format!("singular {}", Singular::name(singular))),
-        tolerance.map(|tolerance| format!("tolerance {tolerance} mm")),
+        tolerance.map(|tolerance| format!("tolerance {} mm", Shown(tolerance))),
         feed,
     ]
     .into_iter()

@@ -312,7 +312,10 @@ impl Comparison<'_> {
             let angle = angle.to_degrees();
             self.found(
                 current,
-                &format!("the approach ends {off:.4} mm from the approach point, the tool axis is {angle:.4}° off"),
+                &format!(
+                    "the approach ends {} from the approach point, the tool axis is {angle:.4}° off",
+                    self.rules.units().deviation(off)
+                ),
             );
         }
         if above == to && !rapid {

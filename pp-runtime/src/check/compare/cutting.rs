@@ -420,8 +420,8 @@ impl Comparison<'_> {
         let (largest_mm, largest) = self.largest_between(part);
         let tip = deviation.tip_mm;
         if tip > largest_mm {
-            let text =
-                format!("within this block the tip deviates from its path by {tip:.4} mm, allowed {largest_mm:.4} mm");
+            let [tip, largest] = [tip, largest_mm].map(|mm| self.rules.units().deviation(mm));
+            let text = format!("within this block the tip deviates from its path by {tip}, allowed {largest}");
             self.found(current, &text);
         }
         let policy = self.rules.policy();

@@ -83,16 +83,16 @@ impl FunctionState {
             return Some("the length guard reads the length of the active edge, and none is active".to_owned());
         }
         if (expected - guard.length_mm).abs() > ROUNDED_GUARD {
-            let length = guard.length_mm;
-            return Some(format!("the length guard compares with {length} mm, but the tool length is {expected} mm"));
+            let [length, expected] = [guard.length_mm, expected].map(|mm| rules.units().length(mm));
+            return Some(format!("the length guard compares with {length}, but the tool length is {expected}"));
         }
         if guard.source != guarded(rules, required)? {
             return Some("the length guard reads the length of another tool, register or edge".to_owned());
         }
         let largest = rules.policy().shop.length_guard_mm?;
         if guard.tolerance_mm > largest + ROUNDED_GUARD {
-            let tolerance = guard.tolerance_mm;
-            return Some(format!("the length guard allows a difference of {tolerance} mm, expected {largest} mm"));
+            let [tolerance, largest] = [guard.tolerance_mm, largest].map(|mm| rules.units().length(mm));
+            return Some(format!("the length guard allows a difference of {tolerance}, expected {largest}"));
         }
         (!guard.stops).then(|| "the length guard does not stop the program".to_owned())
     }
@@ -117,7 +117,10 @@ impl FunctionState {
         let largest = shop.largest_wear_mm;
         match self.radius_guard_mm {
             Some(allowed) if allowed <= largest + ROUNDED_GUARD => None,
-            Some(allowed) => Some(format!("the guard of the tool radius allows {allowed} mm, expected {largest} mm")),
+            Some(allowed) => {
+                let [allowed, largest] = [allowed, largest].map(|mm| rules.units().length(mm));
+                Some(format!("the guard of the tool radius allows {allowed}, expected {largest}"))
+            }
             None => Some("the guard of the tool radius, which must be wear only, is missing".to_owned()),
         }
     }
@@ -180,7 +183,8 @@ impl FunctionState {
         let before = *self.guards.get_or_insert(is_guarded);
         match (is_guarded, matters) {
             (false, true) => {
-                Some(format!("the length guard of T{tool}, length {length} mm, is missing after the restart point"))
+                let length = rules.units().length(length);
+                Some(format!("the length guard of T{tool}, length {length}, is missing after the restart point"))
             }
             (true, _) if !before => {
                 Some(format!("T{tool} has a length guard, and the tools before it have none: theirs are missing"))
@@ -230,7 +234,11 @@ impl FunctionState {
                 };
                 let level_word = levels[index].or(policy.shop.smoothing_levels.map(|levels| levels[index] as u8));
                 if tolerance && !is_blending(tolerance_mm, blending, rules) {
-                    return Some(format!("smoothing {}, expected within {blending} mm", shown(tolerance_mm)));
+                    return Some(format!(
+                        "smoothing {}, expected {}",
+                        shown(tolerance_mm, rules),
+                        shown(Some(blending), rules)
+                    ));
                 }
                 if level_word != written {
                     return Some("smoothing of another level than that of the configuration".to_owned());
@@ -261,8 +269,13 @@ impl FunctionState {
                 }
                 _ => None,
             };
-            return (!is_blending(tolerance, blending, rules))
-                .then(|| format!("blocks are blended {} (G64 P), expected within {blending} mm", shown(tolerance)));
+            return (!is_blending(tolerance, blending, rules)).then(|| {
+                format!(
+                    "blocks are blended {} (G64 P), expected {}",
+                    shown(tolerance, rules),
+                    shown(Some(blending), rules)
+                )
+            });
         }
         // Blending without a limit is the mode after switching on.
         let written = written.unwrap_or(PathMode::Continuous { tolerance_mm: None, joining_mm: None });
@@ -366,8 +379,11 @@ fn angle_shown(angle_rad: Option<f64>) -> String {
     angle_rad.map_or_else(|| "no tolerance".to_owned(), |angle| format!("a tolerance of {}°", angle.to_degrees()))
 }
 
-fn shown(tolerance_mm: Option<f64>) -> String {
-    tolerance_mm.map_or_else(|| "without a tolerance".to_owned(), |tolerance| format!("within {tolerance} mm"))
+fn shown(tolerance_mm: Option<f64>, rules: &Rules<'_>) -> String {
+    tolerance_mm.map_or_else(
+        || "without a tolerance".to_owned(),
+        |tolerance| format!("within {}", rules.units().length(tolerance)),
+    )
 }
 
 /// The length that a guard must read; `None` where the control cannot read it.

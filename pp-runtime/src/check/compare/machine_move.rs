@@ -26,7 +26,10 @@ pub(super) fn fault_of_retract(rules: &Rules<'_>, previous: &Previous, block: &B
     };
     match (block.action, links.retract) {
         (Action::Machine, _) if coordinate => (!alone || !there()).then(|| {
-            format!("motion in machine coordinates: expected the retract, which moves its axis alone to {position} mm; {KEYS}")
+            format!(
+                "motion in machine coordinates: expected the retract, which moves its axis alone to {}; {KEYS}",
+                rules.units().length(position)
+            )
         }),
         (Action::Reference { direct: true }, RetractRule::ReferencePosition) if !coordinate => (!alone)
             .then(|| "motion to the reference position: expected the retract, which moves its axis alone".to_owned()),
@@ -54,8 +57,10 @@ pub(super) fn leads_down(rules: &Rules<'_>, previous: &Previous, block: &Block) 
     let down = (coordinate - policy.links.retract_mm) * words.outwards();
     (down > rules.rounding().unit_mm).then(|| {
         format!(
-            "the machine retract leads {down:.3} mm towards the part: {} is at machine coordinate {coordinate:.3} mm before it",
-            axis.letter
+            "the machine retract leads {} towards the part: {} is at machine coordinate {} before it",
+            rules.units().coordinate(down),
+            axis.letter,
+            rules.units().coordinate(coordinate)
         )
     })
 }

@@ -305,8 +305,9 @@ impl<'a> ClProgress<'a> {
                              rapid instead of feed"
                         .to_owned(),
                     false => format!(
-                        "this block matches no motion of the CL data: it ends {off:.4} mm from the path of the next \
-                         motion, its tool axis {:.4}° off",
+                        "this block matches no motion of the CL data: it ends {} from the path of the next motion, its tool \
+                         axis {:.4}° off",
+                        rules.units().deviation(off),
                         angle.to_degrees()
                     ),
                 }

@@ -452,8 +452,13 @@ impl Rules<'_> {
         };
         let right = |delta: f64| (delta - expected).abs() <= ROUNDED_WORD * self.rounding.unit_mm;
         (!state.radius_delta_mm.is_some_and(right)).then(|| match state.radius_delta_mm {
-            Some(delta) => format!("DR of the tool call is {delta} mm, expected {expected} mm"),
-            None => format!("DR of the tool call is unknown after a call with S alone, expected {expected} mm"),
+            Some(delta) => {
+                format!("DR of the tool call is {}, expected {}", self.units.length(delta), self.units.length(expected))
+            }
+            None => {
+                let expected = self.units.length(expected);
+                format!("DR of the tool call is unknown after a call with S alone, expected {expected}")
+            }
         })
     }
 

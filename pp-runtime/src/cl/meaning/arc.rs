@@ -14,7 +14,7 @@ use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::{points_up, within_a_kilometre};
 use crate::kinematics::{Pose, math};
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
-use crate::program::{Arc, Feed, Rotation};
+use crate::program::{Arc, Feed, Rotation, Units};
 
 /// Sine of the largest permitted angle between INDIRV and the tangent of its circle.
 const TANGENT: f64 = 1e-2;
@@ -55,6 +55,8 @@ pub(crate) struct WaitingCircle {
     angle_rad: Option<f64>,
     /// Height that the helix must have, up or down (ARCSLP).
     height_mm: Option<f64>,
+    /// Unit of the file.
+    units: Units,
     line: u64,
 }
 
@@ -100,6 +102,7 @@ impl WaitingCircle {
             times: circle.times,
             angle_rad: circle.angle_deg.or(circle.eighth.filter(|_| camplete)).map(f64::to_radians),
             height_mm: None,
+            units: Units::of_length(unit_mm),
             line,
         })
     }
@@ -185,9 +188,8 @@ pub(crate) fn tangent_circle(
     let (from, end) = (point(record.line[0])?, point(record.line[1])?);
     let off = ((end - centre).norm() - radius).abs();
     if off > ARC_TOLERANCE_MM {
-        return Err(fault(format!(
-            "the end of the line is {off:.4} mm off the circle, so the end of the arc is unknown"
-        )));
+        let off = Units::of_length(unit_mm).deviation(off);
+        return Err(fault(format!("the end of the line is {off} off the circle, so the end of the arc is unknown")));
     }
     if record.second && (end - from).dot(&(centre - from)) > 0.0 && (end - centre).dot(&(end - from)) < 0.0 {
         return Err(fault("the end of the line is the first intersection with the circle, not the second".into()));
@@ -210,6 +212,7 @@ pub(crate) fn tangent_circle(
         times: 1,
         angle_rad: None,
         height_mm: None,
+        units: Units::of_length(unit_mm),
         line,
     };
     Ok((circle, end))
@@ -377,6 +380,7 @@ fn normal_and_angle(
         let help = "check the arc in the CAM system, or have it output lines instead of arcs";
         Box::new(ClFault::new("circle", at, text, help))
     };
+    let shown = |mm: f64| circle.units.deviation(mm);
     if start.axis != end.axis && (start.axis.into_inner() - end.axis.into_inner()).norm() > 1e-6 {
         return Err(fault("the tool axis changes on an arc".into()));
     }
@@ -404,16 +408,21 @@ fn normal_and_angle(
     let off_end = above_centre(end.tip);
     let off_plane = if circle.may_begin_at_centre { off_end.min(above_centre(start.tip)) } else { off_end };
     if off_plane > ARC_TOLERANCE_MM {
-        return Err(fault(format!("the end of an arc is {off_plane:.4} mm off the plane of its circle")));
+        return Err(fault(format!("the end of an arc is {} off the plane of its circle", shown(off_plane))));
     }
     let height = (end.tip - start.tip).dot(&n).abs();
     if let Some(stated) = circle.height_mm.filter(|stated| (stated - height).abs() > ARC_TOLERANCE_MM) {
-        return Err(fault(format!("an arc rises or falls by {height:.4} mm, and its ARCSLP states {stated:.4} mm")));
+        return Err(fault(format!(
+            "an arc rises or falls by {}, and its ARCSLP states {}",
+            shown(height),
+            shown(stated)
+        )));
     }
     let radius = circle.radius_mm.unwrap_or(first);
     let off_radius = |found: f64| (found - radius).abs();
-    let off_circle =
-        |which: &str, off: f64| fault(format!("the {which} of an arc is {off:.4} mm off its radius of {radius:.4} mm"));
+    let off_circle = |which: &str, off: f64| {
+        fault(format!("the {which} of an arc is {} off its radius of {}", shown(off), shown(radius)))
+    };
     if off_radius(first) > ARC_TOLERANCE_MM {
         return Err(off_circle("start", off_radius(first)));
     }
@@ -421,16 +430,18 @@ fn normal_and_angle(
         return Err(off_circle("end", off_radius(last)));
     }
     if first <= ARC_TOLERANCE_MM || last <= ARC_TOLERANCE_MM {
-        return Err(fault(format!("an arc has no radius: it begins {first:.4} mm from its centre")));
+        return Err(fault(format!("an arc has no radius: it begins {} from its centre", shown(first))));
     }
-    let part = angle_within_revolution(u, v, n, end.tip - start.tip, circle.angle_rad.is_some()).map_err(fault)?;
+    let part = angle_within_revolution(u, v, n, end.tip - start.tip, circle.angle_rad.is_some()).map_err(|chord| {
+        fault(format!("the ends of an arc are {} apart: the arc may be empty or a full circle", shown(chord)))
+    })?;
     let Some(stated) = circle.angle_rad else {
         return Ok((normal, part + f64::from(circle.times - 1) * TAU));
     };
     let turns = ((stated - part) / TAU).round().max(0.0);
     let angle = part + turns * TAU;
     if angle <= 0.0 {
-        return Err(fault(format!("the ends of an arc are {:.5} mm apart: the arc is empty", (v - u).norm())));
+        return Err(fault(format!("the ends of an arc are {} apart: the arc is empty", shown((v - u).norm()))));
     }
     if (angle - stated).abs() * radius > ARC_TOLERANCE_MM {
         return Err(fault(format!(
@@ -442,7 +453,8 @@ fn normal_and_angle(
     Ok((normal, angle))
 }
 
-/// Angle about `n` from the radius vector `u` to the radius vector `v`, whose ends are `apart`, rad, 0 to 2π.
+/// Angle about `n` from the radius vector `u` to the radius vector `v`, whose ends are `apart`, rad, 0 to 2π; the distance of ends
+/// that are too near to tell.
 #[inline(always)]
 fn angle_within_revolution(
     u: Vector3<f64>,
@@ -450,7 +462,7 @@ fn angle_within_revolution(
     n: Vector3<f64>,
     apart: Vector3<f64>,
     angle_is_stated: bool,
-) -> Result<f64, String> {
+) -> Result<f64, f64> {
     let (product, along) = (u.norm() * v.norm(), u.dot(&v));
     // Nearly every chord is far from short.
     if product - along <= CLEAR_MM2 + ROUNDED * product {
@@ -462,7 +474,7 @@ fn angle_within_revolution(
             return Ok(TAU);
         }
         if around < SHORTEST_CHORD_MM && !angle_is_stated {
-            return Err(format!("the ends of an arc are {chord:.5} mm apart: the arc may be empty or a full circle"));
+            return Err(chord);
         }
     }
     Ok(math::from_zero(math::atan2(n.dot(&u.cross(&v)), along)))

@@ -7,6 +7,7 @@ use crate::cl::record::{CycleCall, CycleState};
 use crate::cl::text::{ClFault, Span};
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3};
+use crate::program::Units;
 
 /// Largest difference of two tool axes that are the same: that of their digits.
 const SAME_AXIS: f64 = 1e-6;
@@ -153,15 +154,21 @@ impl CycleInForce {
 
     /// Level to which the tool returns after a hole, mm above its top. The initial level is a plane across the tool axis; with
     /// another tool axis it is as high above the first hole there as it was above the first hole of the cycle.
-    pub(crate) fn return_level(&mut self, cycle: &HoleDefinition, top: &Pose, at: Span) -> Result<f64, ClFault> {
+    pub(crate) fn return_level(
+        &mut self,
+        cycle: &HoleDefinition,
+        top: &Pose,
+        units: Units,
+        at: Span,
+    ) -> Result<f64, ClFault> {
         match cycle.return_level {
             ReturnLevel::Clearance => Ok(cycle.clearance_mm),
             ReturnLevel::Level(level) => Ok(level),
-            ReturnLevel::Initial => self.initial_level(cycle.clearance_mm, top, at),
+            ReturnLevel::Initial => self.initial_level(cycle.clearance_mm, top, units, at),
         }
     }
 
-    fn initial_level(&mut self, clearance_mm: f64, top: &Pose, at: Span) -> Result<f64, ClFault> {
+    fn initial_level(&mut self, clearance_mm: f64, top: &Pose, units: Units, at: Span) -> Result<f64, ClFault> {
         let axis = top.axis;
         if let Some(HolesMade { axis: last, first_mm }) = self.made
             && (axis.into_inner() - last.into_inner()).norm() > SAME_AXIS
@@ -174,7 +181,10 @@ impl CycleInForce {
             return Err(ClFault::new(
                 "CYCLE",
                 at,
-                format!("the level before the cycle lies {level:.4} mm above this hole, below its clearance level"),
+                format!(
+                    "the level before the cycle lies {} above this hole, below its clearance level",
+                    units.deviation(level)
+                ),
                 "retract further before the cycle, or program a return level",
             ));
         }

@@ -47,11 +47,11 @@ pub(crate) fn feed_of(record: &FeedRecord, units: &mut FileUnits, label: FeedLab
         FeedUnit::FeetPerMinute => Feed::PerMinute(value * MM_IN_A_FOOT),
         FeedUnit::FeetPerRevolution => Feed::PerRevolution(value * MM_IN_A_FOOT),
     };
-    check(feed, record)
+    check(feed, record, units.known().unwrap_or_default())
 }
 
 /// Refuses a feed that is not plausible.
-fn check(feed: Feed, record: &FeedRecord) -> Result<Feed, ClFault> {
+fn check(feed: Feed, record: &FeedRecord, units: Units) -> Result<Feed, ClFault> {
     let value = record.value;
     let fault = |text: String, help: &str| Err(ClFault::new("feed", record.at, text, help));
     match feed {
@@ -59,11 +59,12 @@ fn check(feed: Feed, record: &FeedRecord) -> Result<Feed, ClFault> {
             format!("the feed must be above 0, found {value}"),
             "set a feed for every cutting move in the CAM system",
         ),
-        Feed::PerMinute(speed) if speed < SLOWEST_FEED_MM_PER_MIN => {
-            fault(format!("a feed of {speed:.4} mm/min is not plausible"), "check the unit of the file and of the feed")
-        }
+        Feed::PerMinute(speed) if speed < SLOWEST_FEED_MM_PER_MIN => fault(
+            format!("a feed of {} is not plausible", units.feed(speed)),
+            "check the unit of the file and of the feed",
+        ),
         Feed::PerRevolution(feed) if feed > LARGEST_FEED_MM_PER_REV => fault(
-            format!("a feed of {feed} mm per revolution is not plausible"),
+            format!("a feed of {} per revolution is not plausible", units.length(feed)),
             "check the unit of the feed: IPM, MMPM and PERMIN are per minute",
         ),
         Feed::PerMinute(_) | Feed::PerRevolution(_) if !value.is_finite() || value > LARGEST_FEED => {

@@ -99,6 +99,7 @@ impl HoleDefinition {
         self,
         point: Pose,
         before: Option<Point3<f64>>,
+        units: Units,
         at: Span,
     ) -> Result<(Pose, HoleDefinition), ClFault> {
         /// Largest difference of a level from that of the tool, by the digits of CL data.
@@ -115,7 +116,8 @@ impl HoleDefinition {
                 return Err(fault(
                     at,
                     format!(
-                        "the tool is below the clearance plane of this cycle, {plane_mm} along its axis, before it"
+                        "the tool is below the clearance plane of this cycle, {} along its axis, before it",
+                        units.length(plane_mm)
                     ),
                     format!(
                         "write a GOTO at or above that plane before the cycle, as the post of Autodesk does; {OF_ANOTHER_POST}"
@@ -127,8 +129,10 @@ impl HoleDefinition {
                 return Err(fault(
                     at,
                     format!(
-                        "this point is not the top of its hole: {level} above it is {} along the tool axis, and CLEAR is {plane_mm}",
-                        along(tip) + level
+                        "this point is not the top of its hole: {} above it is {} along the tool axis, and CLEAR is {}",
+                        units.length(level),
+                        units.length(along(tip) + level),
+                        units.length(plane_mm)
                     ),
                     format!(
                         "in \"CAMplete APT\" of Autodesk CLEAR is RETURN above the point: correct the one that is wrong; \
@@ -144,7 +148,8 @@ impl HoleDefinition {
             return Err(fault(
                 at,
                 format!(
-                    "the feed of this hole begins {clearance_mm:.4} mm above its top, below it or above the clearance plane"
+                    "the feed of this hole begins {} above its top, below it or above the clearance plane",
+                    units.deviation(clearance_mm)
                 ),
                 format!(
                     "the tool would plunge into the part at rapid: correct the clearance plane or RAPTO; {OF_ANOTHER_POST}"

@@ -93,6 +93,7 @@ impl RecordInterpreter {
         if let Some(feed) = default_feed {
             new.path.set_feed(feed);
         }
+        new.tool.set_units(new.units.known().unwrap_or_default());
         new.update_plain_goto();
         new
     }

@@ -9,7 +9,7 @@ use super::options::ReadingOptions;
 use super::tool_table::{Contradiction, CutterAt, StatedTool, ToolTable};
 use crate::cl::record::{CutterRecord, ToolCallRecord};
 use crate::cl::text::{ClFault, Span, decoded};
-use crate::program::{Location, ToolCall};
+use crate::program::{Location, ToolCall, Units};
 
 /// A call that is held, and the cutter that it has so far.
 #[derive(Debug, Clone, Copy)]
@@ -45,6 +45,11 @@ fn given(options: &ReadingOptions, number: Option<u32>) -> Option<&StatedTool> {
 }
 
 impl ModalTool {
+    /// Takes the unit of the file, for messages.
+    pub(crate) fn set_units(&mut self, units: Units) {
+        self.table.units = units;
+    }
+
     /// The tool called last.
     pub(crate) fn current(&self) -> Option<ToolCall> {
         self.held.map(|held| held.call).or(self.last)

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::cl::record::{CutterKind, CutterRecord};
 use crate::cl::text::{ClFault, Span};
-use crate::program::{Location, ToolCall};
+use crate::program::{Location, ToolCall, Units};
 
 /// Largest difference of two statements of one length or diameter: two measurements of a tool agree no better.
 const SAME_SIZE_MM: f64 = 0.01;
@@ -68,6 +68,8 @@ pub(crate) struct ToolTable {
     names: BTreeMap<u32, (String, u64, bool)>,
     /// Register of the last call of each tool that had one.
     registers: BTreeMap<u32, u32>,
+    /// Unit of the file, for messages.
+    pub(crate) units: Units,
 }
 
 /// Two statements that contradict each other, with the place of the later one.
@@ -82,7 +84,7 @@ impl ToolTable {
         here: Location,
         given: Option<&StatedTool>,
     ) -> Result<(), Contradiction> {
-        let number = call.number;
+        let (number, units) = (call.number, self.units);
         let place = Place::Line(here.line);
         if let Some((offset, register)) = given.and_then(|given| given.offset).zip(call.length_offset)
             && offset != register
@@ -99,12 +101,12 @@ impl ToolTable {
         let row = self.row(Some(number), register, given);
         if let Some(length_mm) = call.length_mm {
             state(&mut row.length_mm, length_mm, place, given).map_err(|other| {
-                let what = format!("length of {} mm", shown(length_mm));
-                (here, contradiction(Some(number), &what, place, (&format!("{} mm", shown(other.0)), other.1)))
+                let what = format!("length of {}", shown(length_mm, units));
+                (here, contradiction(Some(number), &what, place, (&shown(other.0, units), other.1)))
             })?;
         }
         if let Some((cutter, at)) = cutter {
-            take_cutter(row, &cutter, at, Some(number), given)?;
+            take_cutter(row, &cutter, at, (Some(number), units), given)?;
         }
         call.length_mm = row.length_mm.filter(of_cl_data).map(|(length_mm, _)| length_mm);
         (call.diameter_mm, call.corner_radius_mm) = size(row);
@@ -118,10 +120,10 @@ impl ToolTable {
         (cutter, at): CutterAt,
         given: Option<&StatedTool>,
     ) -> Result<(), Contradiction> {
-        let number = call.as_ref().map(|call| call.number);
+        let (number, units) = (call.as_ref().map(|call| call.number), self.units);
         let register = call.as_ref().and_then(|call| call.length_offset).or(given.and_then(|given| given.offset));
         let row = self.row(number, register.or(number).unwrap_or(0), given);
-        take_cutter(row, &cutter, at, number, given)?;
+        take_cutter(row, &cutter, at, (number, units), given)?;
         if let Some(call) = call {
             (call.diameter_mm, call.corner_radius_mm) = size(row);
         }
@@ -182,7 +184,7 @@ fn take_cutter(
     row: &mut Row,
     cutter: &CutterRecord,
     at: Location,
-    number: Option<u32>,
+    (number, units): (Option<u32>, Units),
     given: Option<&StatedTool>,
 ) -> Result<(), Contradiction> {
     let place = Place::Line(at.line);
@@ -194,11 +196,11 @@ fn take_cutter(
         (at, contradiction(number, &what, place, (&other, its_place)))
     };
     state(&mut row.diameter_mm, cutter.diameter, place, given).map_err(|(other, its_place)| {
-        against(format!("diameter of {} mm", shown(cutter.diameter)), (format!("{} mm", shown(other)), its_place))
+        against(format!("diameter of {}", shown(cutter.diameter, units)), (shown(other, units), its_place))
     })?;
     if let Some(radius) = cutter.corner_radius {
         state(&mut row.corner_radius_mm, radius, place, given).map_err(|(other, its_place)| {
-            against(format!("corner radius of {} mm", shown(radius)), (format!("{} mm", shown(other)), its_place))
+            against(format!("corner radius of {}", shown(radius, units)), (shown(other, units), its_place))
         })?;
     }
     if let Some(kind) = cutter.kind {
@@ -235,6 +237,6 @@ fn fault(text: String, help: String) -> ClFault {
 }
 
 /// A length for messages.
-fn shown(mm: f64) -> f64 {
-    (mm * 1e4).round() / 1e4
+fn shown(mm: f64, units: Units) -> String {
+    units.length(mm).to_string()
 }

@@ -248,7 +248,7 @@ fn holes_of_autodesk_are_given_by_their_bottom_and_by_planes_across_z() {
     assert_eq!(found[1], "hole 1 2 10 deep 12 from 0 to 15 Drill Some(PerMinute(200.0)) None");
     fault(
         camplete.replace("1,2,10", "1,2,-2"),
-        "this point is not the top of its hole: 15 above it is 13 along the tool axis, and CLEAR is 25",
+        "this point is not the top of its hole: 15 mm above it is 13 mm along the tool axis, and CLEAR is 25 mm",
     );
     fault(
         camplete.replace("RAPTO, 5.", "RAPTO, 16."),
@@ -258,7 +258,7 @@ fn holes_of_autodesk_are_given_by_their_bottom_and_by_planes_across_z() {
     fault(camplete.replace("FEDTO, 12.", "FEDTO, -12."), "it leads out of the part");
     fault(
         cycle("CYCLE/DRILL, 12., MMPM, 200., 27., RAPTO, 10."),
-        "the tool is below the clearance plane of this cycle, 27 along its axis",
+        "the tool is below the clearance plane of this cycle, 27 mm along its axis",
     );
     fault(
         cycle("CYCLE/DRILL, 12., MMPM, 200., 15., RAPTO, 16."),
@@ -269,7 +269,7 @@ fn holes_of_autodesk_are_given_by_their_bottom_and_by_planes_across_z() {
     // In a tilted section the planes count along the tool axis, on which the tool was below them.
     fault(
         drill.replace("2,-12", "2,-12,0,.6,.8"),
-        "the tool is below the clearance plane of this cycle, 15 along its axis",
+        "the tool is below the clearance plane of this cycle, 15 mm along its axis",
     );
     fault(format!("ORIGIN/0,0,1\n{drill}"), "the coordinates are transformed");
 }
@@ -291,7 +291,7 @@ fn planes_of_autodesk_count_along_a_tilted_tool() {
     assert_eq!(found[1], "hole 40 20 10 deep 12 from 5 to 20 Drill Some(PerMinute(200.0)) None");
     assert_eq!(found[2], "hole 40 40 10 deep 12 from 5 to 20 Drill Some(PerMinute(200.0)) None");
     let low = errors_with(&text("59."), autodesk());
-    assert!(low[0].contains("the tool is below the clearance plane of this cycle, 60 along its axis"), "{low:?}");
+    assert!(low[0].contains("the tool is below the clearance plane of this cycle, 60 mm along its axis"), "{low:?}");
 }
 
 #[test]

@@ -469,9 +469,10 @@ impl Certifier<'_> {
         let rounding = self.placer.largest_rounding();
         if rounding >= self.allowed.tip_mm {
             return Err(Fault::new(format_args!(
-                "the linear words are too coarse for a tolerance of {} mm while a rotary axis moves: their rounding alone \
-                 moves the tip by up to {rounding:.5} mm",
-                self.allowed.tip_mm
+                "the linear words are too coarse for a tolerance of {} while a rotary axis moves: their rounding alone moves \
+                 the tip by up to {}",
+                self.placer.units().length(self.allowed.tip_mm),
+                self.placer.units().length(rounding)
             ))
             .help("increase `tolerance`, or give more decimals: `linear_mm` or `linear_inch` in [formats]"));
         }
@@ -763,11 +764,11 @@ impl Certifier<'_> {
         };
         Fault::new(format_args!(
             "before this point {} would have to rotate from {}° to {}° on the spot, which moves the tool axis or the tip \
-             out of tolerance ({} mm, {:.4}°)",
+             out of tolerance ({}, {:.4}°)",
             self.placer.chain()[index].letter,
             shown(from),
             shown(to),
-            self.allowed.tip_mm,
+            self.placer.units().length(self.allowed.tip_mm),
             self.allowed.axis_rad.to_degrees(),
         ))
         .help("retract before this point and start a new operation, or keep the tool axis away from the pole")

@@ -77,6 +77,8 @@ pub(crate) struct AxisPosition {
 #[derive(Debug, Clone)]
 pub(crate) struct Placer {
     machine: Box<dyn AnyMachine>,
+    /// Unit of the program.
+    units: Units,
     /// Axes of the machine, from the workpiece to the tool.
     chain: &'static [Axis],
     /// Values of the held axes; 0 for all others.
@@ -156,7 +158,7 @@ impl Placer {
             },
             bounds,
             limits: policy.set_up.travel(chain).limits,
-            travel: TravelCheck::new(&*machine, policy),
+            travel: TravelCheck::new(&*machine, policy, units),
             frame: WordFrame::new(&*machine, policy),
             datum,
             head,
@@ -168,11 +170,17 @@ impl Placer {
             stay: None,
             last_map: RefCell::new(None),
             held: machine.held(),
+            units,
             chain,
             machine,
         };
         placer.set_mode(options.mode_of_all().unwrap_or_default());
         placer
+    }
+
+    /// Unit of the program.
+    pub(crate) fn units(&self) -> Units {
+        self.units
     }
 
     /// Mode of the present stretch.
@@ -644,8 +652,9 @@ impl Placer {
         let part_end = |limits: Limits| if self.linear.retract_share > 0.0 { limits.lower } else { limits.upper };
         if self.limits[index].is_some_and(|limits| (coordinate_mm - part_end(limits)).abs() < self.unit_mm()) {
             return Err(Fault::new(format_args!(
-                "the retract position {} = {coordinate_mm} mm (machine coordinate) is the end of the travel at the part",
-                self.chain[index].letter
+                "the retract position {} = {} (machine coordinate) is the end of the travel at the part",
+                self.chain[index].letter,
+                self.units.length(coordinate_mm)
             ))
             .help("set `retract.position` in the configuration to a machine coordinate away from the part"));
         }

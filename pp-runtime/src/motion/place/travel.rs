@@ -11,6 +11,7 @@ use crate::kinematics::{AnyMachine, AxisKind, Limits, Side};
 use crate::motion::fault::Fault;
 use crate::motion::options::Policy;
 use crate::motion::step::MAX_AXES;
+use crate::program::Units;
 
 use super::chain::rotaries;
 use crate::motion::tolerances::{AXIS_VALUE_NOISE, NO_GAUGE_SHARE};
@@ -22,6 +23,8 @@ pub(crate) struct LinearTravel {
     /// Position in the chain.
     pub(crate) index: usize,
     letter: char,
+    /// Unit of the program, for messages.
+    units: Units,
     limits: Option<Limits>,
     machine_zero_mm: Option<f64>,
     /// `g` for a gauge length of 1 mm.
@@ -49,7 +52,7 @@ pub(crate) struct TravelCheck {
 }
 
 impl TravelCheck {
-    pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>) -> Self {
+    pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>, units: Units) -> Self {
         let limits = policy.set_up.travel(machine.axes()).limits;
         let solved: Vec<usize> = (0..machine.axes().len())
             .filter(|&i| machine.axes()[i].kind == AxisKind::Linear && !machine.axes()[i].held)
@@ -61,6 +64,7 @@ impl TravelCheck {
             .map(|&index| LinearTravel {
                 index,
                 letter: machine.axes()[index].letter,
+                units,
                 limits: limits[index],
                 machine_zero_mm: policy.set_up.machine_zero.get(&machine.axes()[index].letter).copied(),
                 share: shares[index],
@@ -143,8 +147,11 @@ impl TravelCheck {
         let Some(axis) = self.axes.iter().find(|axis| axis.index == index) else { return Ok(()) };
         match axis.limits {
             Some(limits) if !inside(limits, coordinate) => Err(Fault::new(format_args!(
-                "{} would have to move to machine coordinate {coordinate:.3} mm, its limits are {:.3} to {:.3} mm",
-                axis.letter, limits.lower, limits.upper
+                "{} would have to move to machine coordinate {}, its limits are {} to {}",
+                axis.letter,
+                axis.units.coordinate(coordinate),
+                axis.units.coordinate(limits.lower).number(),
+                axis.units.coordinate(limits.upper)
             ))
             .help("correct `retract.position` or the limits in the configuration")),
             _ => Ok(()),
@@ -207,8 +214,10 @@ impl LinearTravel {
                 return Ok(());
             }
             return Err(Fault::new(format_args!(
-                "{letter} would have to move to {coordinate:.3} mm (machine coordinate), its limits are {:.3} to {:.3} mm",
-                limits.lower, limits.upper
+                "{letter} would have to move to {} (machine coordinate), its limits are {} to {}",
+                self.units.coordinate(coordinate),
+                self.units.coordinate(limits.lower).number(),
+                self.units.coordinate(limits.upper)
             ))
             .help("set the part up elsewhere (`part_origin`, `machine_zero`), or use another tool length"));
         }
@@ -220,8 +229,9 @@ impl LinearTravel {
             return Ok(());
         }
         Err(Fault::new(format_args!(
-            "up to this point the program needs {:.3} mm of {letter} travel, the machine has {travel:.3} mm",
-            highest - lowest
+            "up to this point the program needs {} of {letter} travel, the machine has {}",
+            self.units.coordinate(highest - lowest),
+            self.units.coordinate(travel)
         ))
         .help("split the program, or set the part up nearer to the rotary centre lines"))
     }

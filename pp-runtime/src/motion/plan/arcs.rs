@@ -175,7 +175,8 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         }
         let degrees = self.arc.angle_rad.to_degrees();
         Err(Fault::new(format_args!(
-            "this arc goes {degrees:.3} degrees round a circle with a radius of {radius:.3} mm"
+            "this arc goes {degrees:.3} degrees round a circle with a radius of {}",
+            self.planner.mover.placer().units().length(radius)
         ))
         .help("check its sense: `--circle-sense`; if the machine holds the circle, state its travel in `[limits]`"))
     }

@@ -354,7 +354,9 @@ impl<'a, S: Sink> Planner<'a, S> {
     #[inline(always)]
     fn check_floor(&self, motion: &Move) -> Result<(), Fault> {
         match self.policy.options.guards.floor_mm {
-            Some(floor) if motion.pose.tip.z < floor => Err(below_floor(motion.pose.tip.z, floor)),
+            Some(floor) if motion.pose.tip.z < floor => {
+                Err(below_floor(motion.pose.tip.z, floor, self.mover.placer().units()))
+            }
             _ => Ok(()),
         }
     }
@@ -384,7 +386,7 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     /// Feed of a thread, mm/min, which follows from its pitch.
     fn thread_feed(&self, feed: f64) -> Result<f64, Fault> {
-        self.feed_cap.as_ref().map_or(Ok(()), |cap| cap.check_thread(feed))?;
+        self.feed_cap.as_ref().map_or(Ok(()), |cap| cap.check_thread(feed, self.mover.placer().units()))?;
         Ok(feed)
     }
 
@@ -514,8 +516,9 @@ impl<'a, S: Sink> Planner<'a, S> {
 }
 
 #[cold]
-fn below_floor(tip_mm: f64, floor_mm: f64) -> Fault {
-    let text = format!("the tool tip moves to Z {tip_mm:.4} mm, below `floor` = {floor_mm:.4} mm");
+fn below_floor(tip_mm: f64, floor_mm: f64, units: Units) -> Fault {
+    let [tip, floor] = [tip_mm, floor_mm].map(|mm| units.deviation(mm));
+    let text = format!("the tool tip moves to Z {tip}, below `floor` = {floor}");
     Fault::new(text).help("correct the depth in CAM, or lower `floor`")
 }
 

@@ -8,6 +8,7 @@ use crate::motion::options::OperationChoice;
 use crate::motion::plan::Planner;
 use crate::motion::source::{Chosen, OperationStart};
 use crate::motion::step::{Sink, Step};
+use crate::program::Units;
 
 /// Largest feed of an operation.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,13 +29,15 @@ impl FeedCap {
     }
 
     /// The feed of a thread follows from its pitch, mm/min.
-    pub(crate) fn check_thread(&self, feed: f64) -> Result<(), Fault> {
+    pub(crate) fn check_thread(&self, feed: f64, units: Units) -> Result<(), Fault> {
         if feed <= self.mm_per_min {
             return Ok(());
         }
         let text = format!(
-            "`{} largest_feed` is {} mm/min, but pitch and spindle speed of this thread give {feed} mm/min",
-            self.entry, self.mm_per_min
+            "`{} largest_feed` is {}, but pitch and spindle speed of this thread give {}",
+            self.entry,
+            units.feed(self.mm_per_min),
+            units.feed(feed)
         );
         Err(Fault::new(text).help("lower the spindle speed of the thread, or raise `largest_feed`"))
     }

@@ -79,7 +79,8 @@ fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, word
     };
     let turned = planner.mover.place(&here.pose, false, Some(RotaryTarget { words, sense: None }))?;
     let tip = here.pose.tip + here.pose.axis.into_inner() * distance;
-    let context = |fault: Fault| fault.context(format_args!("the retract by {distance} mm for a rewind"));
+    let units = planner.mover.placer().units();
+    let context = |fault: Fault| fault.context(format_args!("the retract by {} for a rewind", units.length(distance)));
     let out = planner.mover.shifted(tip, &here).map_err(context)?;
     planner.mover.output_mut().cancel_inverse_time()?;
     if planner.policy.options.retract.rewind_dry {

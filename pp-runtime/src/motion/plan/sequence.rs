@@ -46,10 +46,11 @@ impl<S: Sink> Planner<'_, S> {
                     Some(distance) => (distance, "`retract.distance` ="),
                     None => (distance - led_out, "to the clearance geometry,"),
                 };
+                let units = self.mover.placer().units();
                 let out = self
                     .mover
                     .shifted(here.pose.tip + here.pose.axis.into_inner() * distance, &here)
-                    .map_err(|fault| fault.context(format_args!("the retract {what} {distance} mm")))?;
+                    .map_err(|fault| fault.context(format_args!("the retract {what} {}", units.length(distance))))?;
                 self.mover.rapid_linear(&out)?;
                 self.mover.position_mut().go_to(&out);
             }
@@ -73,9 +74,11 @@ impl<S: Sink> Planner<'_, S> {
     fn check_lead_out(&mut self, led_out: f64) {
         let wanted = self.policy.options.approach.distance_mm;
         if led_out + LED_OUT < wanted {
+            let units = self.mover.placer().units();
             let text = format!(
-                "before this line the CL data retracts the tool by only {led_out:.3} mm, less than `approach.distance` = \
-                 {wanted} mm"
+                "before this line the CL data retracts the tool by only {}, less than `approach.distance` = {}",
+                units.coordinate(led_out),
+                units.length(wanted)
             );
             let fault = Fault::new(text).help("give `retract.distance`, or retract further in CAM");
             self.mover.output_mut().remark(fault);
@@ -457,10 +460,10 @@ impl<S: Sink> Planner<'_, S> {
         let above = if first.rapid && is_straight_down(&first.pose, ahead.next)? {
             place
         } else {
-            let Pose { tip, axis } = first.pose;
-            self.mover
-                .shifted(tip + axis.into_inner() * distance, &place)
-                .map_err(|fault| fault.context(format_args!("the approach from `approach.distance` = {distance} mm")))?
+            let (Pose { tip, axis }, units) = (first.pose, self.mover.placer().units());
+            self.mover.shifted(tip + axis.into_inner() * distance, &place).map_err(|fault| {
+                fault.context(format_args!("the approach from `approach.distance` = {}", units.length(distance)))
+            })?
         };
         self.mover.output_mut().set_reason(BlockReason::Approach);
         self.mover.approach_from_retract(&above, frame)?;

@@ -6,7 +6,7 @@
 use crate::kinematics::Pose;
 use crate::motion::options::Policy;
 use crate::nalgebra::{Point3, Vector3};
-use crate::program::{Move, Spline};
+use crate::program::{Move, Shown, Spline};
 
 use crate::motion::fault::Fault;
 use crate::motion::tolerances::MOST_CHORDS;
@@ -54,8 +54,9 @@ impl Curves {
         self.stated_mm = tolerance;
         match tolerance {
             Some(stated) if !self.may_state(stated) => Err(Fault::new(format_args!(
-                "LINTOL/{stated} mm exceeds the tolerance of {} mm in the configuration, which stays in force",
-                self.configured_mm
+                "LINTOL/{} mm exceeds the tolerance of {} mm in the configuration, which stays in force",
+                Shown(stated),
+                Shown(self.configured_mm)
             ))
             .help("use `--allow-lintol` to let the CL data widen the tolerance")),
             Some(_) | None => Ok(()),

@@ -9,6 +9,7 @@ use super::super::orders::ArcWords;
 use super::Interpreter;
 use crate::check::tolerances::{EQUAL_RADII, FULL_CIRCLE, RADIUS_BELOW_HALF_CHORD};
 use crate::kinematics::math::hypot;
+use crate::program::Units;
 
 /// The arc of a block from where the axes stood to where the interpreter has put them.
 pub(super) fn of(
@@ -29,7 +30,9 @@ pub(super) fn of(
     let start = [from[first], from[second]];
     let stop = [end[first], end[second]];
     let centre = match words.radius {
-        Some(radius) if words.written == 0 => by_radius(start, stop, radius * machine.unit(), clockwise)?,
+        Some(radius) if words.written == 0 => {
+            by_radius(start, stop, (radius * machine.unit(), clockwise), machine.units())?
+        }
         Some(_) => return Err("arc with both a radius and a centre".to_owned()),
         None => by_centre(words, machine, start, [u, v, w])?,
     };
@@ -41,8 +44,9 @@ pub(super) fn of(
     let largest = EQUAL_RADII + 3.0 * machine.axes.rounding;
     if (radii[0] - radii[1]).abs() > largest || radii[0] < FULL_CIRCLE {
         return Err(format!(
-            "start and end of the arc are {:.4} and {:.4} mm from its centre: expected equal radii above 0",
-            radii[0], radii[1]
+            "start and end of the arc are {} and {} from its centre: expected equal radii above 0",
+            machine.units().deviation(radii[0]).number(),
+            machine.units().deviation(radii[1])
         ));
     }
     sweep += f64::from(words.turns) * TAU.copysign(sweep);
@@ -73,7 +77,12 @@ fn by_centre(
 }
 
 /// A negative radius is that of the longer way round.
-fn by_radius(start: [f64; 2], stop: [f64; 2], radius: f64, clockwise: bool) -> Result<[f64; 2], String> {
+fn by_radius(
+    start: [f64; 2],
+    stop: [f64; 2],
+    (radius, clockwise): (f64, bool),
+    units: Units,
+) -> Result<[f64; 2], String> {
     let (dx, dy) = (stop[0] - start[0], stop[1] - start[1]);
     let chord = hypot(dx, dy);
     if chord < FULL_CIRCLE {
@@ -81,7 +90,8 @@ fn by_radius(start: [f64; 2], stop: [f64; 2], radius: f64, clockwise: bool) -> R
     }
     let square = radius * radius - chord * chord / 4.0;
     if square < -RADIUS_BELOW_HALF_CHORD * radius.abs() {
-        return Err(format!("a radius of {:.4} mm is too small for a chord of {chord:.4} mm", radius.abs()));
+        let [radius, chord] = [radius.abs(), chord].map(|mm| units.deviation(mm));
+        return Err(format!("a radius of {radius} is too small for a chord of {chord}"));
     }
     // To the left of the chord the centre of a short counter-clockwise arc.
     let height = square.max(0.0).sqrt() * if clockwise == (radius > 0.0) { -1.0 } else { 1.0 };

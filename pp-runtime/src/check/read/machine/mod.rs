@@ -231,6 +231,11 @@ impl Interpreter {
         (self.known & (1 << index) != 0).then_some(self.values[index])
     }
 
+    /// Unit of lengths in force.
+    pub(super) fn units(&self) -> Units {
+        self.state.units.unwrap_or_default()
+    }
+
     /// Unit of lengths in force, mm.
     pub(super) fn unit(&self) -> f64 {
         self.state.units.map_or(1.0, Units::in_mm)

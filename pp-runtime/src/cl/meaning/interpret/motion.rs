@@ -501,8 +501,9 @@ impl RecordInterpreter {
                 ),
             ));
         }
-        let (top, cycle) = cycle.at(top, self.cycle.before(), at)?;
-        let back_to = self.cycle.return_level(&cycle, &top, at)?;
+        let units = self.units.known().unwrap_or_default();
+        let (top, cycle) = cycle.at(top, self.cycle.before(), units, at)?;
+        let back_to = self.cycle.return_level(&cycle, &top, units, at)?;
         within_a_kilometre(top.tip - top.axis.into_inner() * cycle.depth_mm, at)?;
         let above = within_a_kilometre(top.tip + top.axis.into_inner() * back_to, at)?;
         self.path.end_hole(Pose { tip: above, ..top });

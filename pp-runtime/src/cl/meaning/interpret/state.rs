@@ -60,7 +60,9 @@ impl RecordInterpreter {
         if self.units.known().is_none() {
             self.coordinates.scale_frames(units.in_mm());
         }
-        self.units.take(units, here)
+        self.units.take(units, here)?;
+        self.tool.set_units(self.units.known().unwrap_or_default());
+        Ok(())
     }
 
     fn in_millimetres(&mut self, lengths: Option<[f64; 3]>) -> Result<Option<[f64; 3]>, ClFault> {

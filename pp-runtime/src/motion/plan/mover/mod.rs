@@ -617,9 +617,9 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// Adds a remark, once in an operation, where a rapid goes deeper than the lowest cut.
     pub(crate) fn watch_plunge(&mut self, from: &Pose, to: &Pose) {
         if let Some(depth) = self.position.plunges(from, to) {
-            let text = format!(
-                "a rapid moves down along the tool axis to {depth:.3} mm below the lowest cut of this operation"
-            );
+            let depth = self.feeds.units().deviation(depth);
+            let text =
+                format!("a rapid moves down along the tool axis to {depth} below the lowest cut of this operation");
             self.output.remark(Fault::new(text).help("check that the material there has been removed"));
         }
     }

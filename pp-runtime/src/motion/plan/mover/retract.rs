@@ -167,8 +167,9 @@ impl<S: Sink> Mover<'_, S> {
             Some(below) if below < -self.placer.unit_mm() => {
                 let axis = self.placer.chain()[self.placer.retract_axis()].letter;
                 Err(Fault::new(format_args!(
-                    "{what} is {:.3} mm above the retract position {axis} = {retract} mm (machine coordinate)",
-                    -below
+                    "{what} is {} above the retract position {axis} = {} (machine coordinate)",
+                    self.placer.units().coordinate(-below),
+                    self.placer.units().length(retract)
                 ))
                 .help("mount the part lower, reduce `approach.distance`, or raise `retract.position`"))
             }
