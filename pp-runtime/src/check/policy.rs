@@ -181,8 +181,14 @@ pub struct Digits {
     pub rotary: u32,
     /// S.
     pub speed: u32,
-    /// F per minute.
-    pub feed: u32,
+    /// F per minute in mm.
+    pub feed_mm: u32,
+    /// F per minute in inches, or in tenths of an inch.
+    pub feed_inch: u32,
+    /// Pitch of a thread in mm.
+    pub pitch_mm: u32,
+    /// Pitch of a thread in inches.
+    pub pitch_inch: u32,
     /// Largest number of digits of an F before its point.
     pub feed_whole: u32,
     /// Significant digits of an inverse-time F.
@@ -196,6 +202,24 @@ impl Digits {
         match units {
             Units::Millimetres => self.linear_mm,
             Units::Inches => self.linear_inch,
+        }
+    }
+
+    /// Number of decimals of an F per minute.
+    #[must_use]
+    pub const fn feed(&self, units: Units) -> u32 {
+        match units {
+            Units::Millimetres => self.feed_mm,
+            Units::Inches => self.feed_inch,
+        }
+    }
+
+    /// Number of decimals of a pitch.
+    #[must_use]
+    pub const fn pitch(&self, units: Units) -> u32 {
+        match units {
+            Units::Millimetres => self.pitch_mm,
+            Units::Inches => self.pitch_inch,
         }
     }
 }

@@ -152,8 +152,12 @@ crate::tolerance::tolerances! {
     /// Largest change of the length of a block by the rounding of its words.
     ROUNDED_BLOCK_LENGTH: f64 = 2.0, "units", "both ends are off by up to √3/2 units", equals ROUNDED_BLOCK_LENGTH;
 
-    /// Largest relative rounding of a pitch.
-    ROUNDED_PITCH: f64 = 2e-4, "1", "4 µm in a thread 20 mm long", equals ROUNDED_PITCH;
+    /// Largest error of the pitch of a thread over its length, by the rounding of words, as a share of the pitch.
+    PITCH_ERROR: f64 = 0.01, "pitches", "10 µm in a thread with a pitch of 1 mm", equals PITCH_ERROR;
+
+    /// Largest rounding of the word that gives a thread its pitch: the pitch itself, or F.
+    ROUNDED_PITCH: f64 = 0.51, "units", "half a unit, and room for the conversion",
+        alone "the planner rounds to the nearest";
 
     /// Largest rounding of a dwell.
     ROUNDED_DWELL: f64 = 6e-4, "s", "a dwell has three decimals", alone "the planner rounds to the nearest";

@@ -141,7 +141,10 @@ impl Config {
             linear_inch: formats.linear(Units::Inches),
             rotary: formats.rotary,
             speed: formats.speed,
-            feed: formats.feed,
+            feed_mm: formats.feed_decimals(Units::Millimetres),
+            feed_inch: formats.feed_decimals(Units::Inches),
+            pitch_mm: formats.pitch_decimals(Units::Millimetres),
+            pitch_inch: formats.pitch_decimals(Units::Inches),
             feed_whole: formats.feed_whole,
             inverse_time: formats.inverse_time,
         }

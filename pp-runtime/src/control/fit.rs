@@ -352,7 +352,11 @@ fn cycle_abilities(codes: &Spellings, demands: Demands<'_>) -> CycleAbilities {
         }
         CycleForm::Codes(_) | CycleForm::Definitions(_) => false,
     };
-    CycleAbilities { tap_stops_spindle: cycles.abilities.tap_stops_spindle && !floats, ..cycles.abilities }
+    CycleAbilities {
+        tap_stops_spindle: cycles.abilities.tap_stops_spindle && !floats,
+        tap_per_revolution: cycles.abilities.tap_uses_feed && !codes.per_revolution.is_empty(),
+        ..cycles.abilities
+    }
 }
 
 /// Functions of the control that the planner may use.

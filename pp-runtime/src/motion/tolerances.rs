@@ -233,12 +233,11 @@ crate::tolerance::tolerances! {
     RAPID_ALONG_TOOL: f64 = 2.0, "units", "both ends are off by up to √3/2 units",
         alone "the check allows four roundings of a tip, at least as much";
 
-    /// Largest relative rounding of a pitch.
-    ROUNDED_PITCH: f64 = 2e-4, "1", "4 µm in a thread 20 mm long", equals ROUNDED_PITCH;
+    /// Largest error of the pitch of a thread over its length, by the rounding of words, as a share of the pitch.
+    PITCH_ERROR: f64 = 0.01, "pitches", "10 µm in a thread with a pitch of 1 mm", equals PITCH_ERROR;
 
-    /// Largest relative deviation of the F of a thread from pitch times speed, by its rounding.
-    THREAD_FEED: f64 = 1e-4, "1", "the pitch that F and S give is then nearer than ROUNDED_PITCH",
-        alone "the check compares the pitch that F and S give, within ROUNDED_PITCH, which is more";
+    /// Largest error of a pitch over the length of the thread that is none.
+    NO_PITCH_ERROR: f64 = 1e-9, "mm", "rounding of arithmetic", alone "it only chooses what the summary prints";
 
     // Arcs.
 

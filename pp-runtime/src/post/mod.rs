@@ -327,8 +327,13 @@ fn threads_text(threads: &Threads, units: Units) -> String {
         .map(|thread| {
             let decimals = if units == Units::Inches { 5 } else { 3 };
             let hand = if thread.left { " left-hand" } else { "" };
+            let error = units.deviation(thread.error_mm.abs());
+            let rounded = match error.is_zero() {
+                true => String::new(),
+                false => format!(", rounded words change its length by up to {error}"),
+            };
             format!(
-                "T{} pitch {:.decimals$} {}{hand} ({})",
+                "T{} pitch {:.decimals$} {}{hand} ({}{rounded})",
                 thread.tool,
                 thread.pitch.value(),
                 units.name(),

@@ -7,10 +7,11 @@ use super::super::geometry::{ToolPose, angle_between, tool_pose};
 use super::super::read::{Block, CycleKind, CycleMove, FeedMode, FineBore, MAX_AXES};
 use super::super::rules::{Rules, Stroke};
 use crate::check::tolerances::{
-    ROUNDED_CYCLE_LENGTH, ROUNDED_DWELL, ROUNDED_ORIENT_DEG, ROUNDED_PITCH, SAME_BORE_DIRECTION, SAME_LEVEL,
+    PITCH_ERROR, ROUNDED_CYCLE_LENGTH, ROUNDED_DWELL, ROUNDED_ORIENT_DEG, ROUNDED_PITCH, SAME_BORE_DIRECTION,
+    SAME_LEVEL, SAME_NUMBER,
 };
 use crate::kinematics::math::hypot;
-use crate::program::{Drilling, Dwell, Feed, Hole, Rotation};
+use crate::program::{Drilling, Dwell, Hole, Rotation, Shown, Units};
 
 /// A cycle and the hole that it is to make.
 pub(super) struct CycleComparison<'c> {
@@ -65,6 +66,11 @@ pub(super) fn is_over(rules: &Rules<'_>, pose: &ToolPose, expected: &ExpectedHol
 }
 
 impl CycleComparison<'_> {
+    /// Unit of the program.
+    fn units(&self) -> Units {
+        self.block.state.units.unwrap_or_default()
+    }
+
     fn pose(&self, height: f64) -> ToolPose {
         tool_pose(&self.hole.level(height))
     }
@@ -113,8 +119,11 @@ impl CycleComparison<'_> {
             _ => return None,
         };
         let gap = self.rules.policy().shop.state_mm(name)?;
-        (gap >= step)
-            .then(|| format!("{name} of the control is {gap} mm: the cycle makes no way with steps of {step} mm"))
+        (gap >= step).then(|| {
+            let units = self.units();
+            let (gap, step) = (units.length(gap), units.length(step));
+            format!("{name} of the control is {gap}: the cycle makes no way with steps of {step}")
+        })
     }
 
     /// Length from the bottom to the end of the cycle, mm.
@@ -137,7 +146,9 @@ impl CycleComparison<'_> {
         let wrong = hypot(along, (across - leans_mm).max(0.0)) > self.rules.rounding().tip_mm
             || !self.rules.is_axis_near(&at.axis, &expected.axis, 1.0);
         let off = step.norm();
-        let text = wrong.then(|| format!("{} of the cycle is {off:.4} mm from that of the CL data", level.name));
+        let text = wrong.then(|| {
+            format!("{} of the cycle is {} from that of the CL data", level.name, self.units().deviation(off))
+        });
         Some((off, text))
     }
 
@@ -172,7 +183,9 @@ impl CycleComparison<'_> {
             }
             _ => false,
         };
-        (!same).then(|| format!("the cycle makes {}, expected {}", self.cycle.kind, expected_kind(hole)))
+        let units = self.units();
+        (!same)
+            .then(|| format!("the cycle makes {}, expected {}", self.cycle.kind.text(units), self.expected_kind(units)))
     }
 
     /// Feed mode of a thread.
@@ -205,11 +218,11 @@ impl CycleComparison<'_> {
         if let Some(shift) = bore.shift_mm
             && (shift - shop.bore_shift_mm).abs() > ROUNDED_CYCLE_LENGTH * self.rules.rounding().unit_mm
         {
-            let expected = shop.bore_shift_mm;
-            return Some(format!("the tool leaves the wall of the bore by {shift} mm, expected {expected} mm"));
+            let [shift, expected] = [shift, shop.bore_shift_mm].map(|mm| self.units().length(mm));
+            return Some(format!("the tool leaves the wall of the bore by {shift}, expected {expected}"));
         }
         let written = bore.angle_deg.filter(|written| (written - angle).abs() > ROUNDED_ORIENT_DEG);
-        written.map(|written| format!("the spindle stops at {written}°, expected {angle}°"))
+        written.map(|written| format!("the spindle stops at {}°, expected {}°", Shown(written), Shown(angle)))
     }
 
     /// Retract that breaks the chip, and distance above the last depth.
@@ -220,8 +233,10 @@ impl CycleComparison<'_> {
             (CycleKind::ChipBreak(_) | CycleKind::Peck(_), _) => self.rules.policy().defaults.peck_gap_mm,
             _ => return None,
         };
-        ((gap - expected).abs() > ROUNDED_CYCLE_LENGTH * self.rules.rounding().unit_mm)
-            .then(|| format!("the cycle returns to {gap} mm above the last depth, expected {expected} mm"))
+        ((gap - expected).abs() > ROUNDED_CYCLE_LENGTH * self.rules.rounding().unit_mm).then(|| {
+            let [gap, expected] = [gap, expected].map(|mm| self.units().length(mm));
+            format!("the cycle returns to {gap} above the last depth, expected {expected}")
+        })
     }
 
     /// What is wrong with the motion of the block before its cycle, over the hole: it is below the clearance level. `before`: words
@@ -246,16 +261,34 @@ impl CycleComparison<'_> {
         let below = self.hole.clearance_mm - lowest;
         // The tool axis is rounded, too, and the words across it keep the level of a plane that leans with the cycle.
         let leans_mm = (across * self.lean()?).min(self.tolerance_mm);
-        (below > 2.0 * rounding.tip_mm + across * rounding.axis_rad + leans_mm)
-            .then(|| format!("the tool moves over this hole {below:.4} mm below its clearance level"))
+        (below > 2.0 * rounding.tip_mm + across * rounding.axis_rad + leans_mm).then(|| {
+            let below = self.units().deviation(below);
+            format!("the tool moves over this hole {below} below its clearance level")
+        })
     }
 
-    fn is_pitch(&self, pitch: f64, stated: Option<f64>) -> bool {
-        let speed = self.spindle.map(|(speed, _)| speed);
+    /// Whether a thread has the pitch of the CL data: off by no more than the rounding of the word that gives it, and over its
+    /// length by no more than a hundredth of it.
+    fn is_pitch(&self, pitch: f64, expected: Option<f64>) -> bool {
         let left = matches!(self.spindle, Some((_, Rotation::CounterClockwise)));
-        let expected = stated.or_else(|| per_revolution(self.hole.feed, speed));
-        expected.is_some_and(|expected| (pitch.abs() - expected).abs() <= ROUNDED_PITCH * expected)
+        let Some(expected) = expected else { return false };
+        let off = (pitch.abs() - expected).abs();
+        let revolutions = (self.hole.clearance_mm + self.hole.depth_mm) / expected;
+        off <= ROUNDED_PITCH * self.pitch_unit() + SAME_NUMBER * expected
+            && off * revolutions <= (PITCH_ERROR + SAME_NUMBER) * expected
             && (pitch < 0.0) == left
+    }
+
+    /// One unit of the word that gives a thread its pitch, mm: the pitch itself, or F per minute at the S in force.
+    fn pitch_unit(&self) -> f64 {
+        let (state, rules) = (&self.block.state, self.rules);
+        let (units, digits) = (self.units(), rules.policy().digits);
+        let by_feed = rules.facts().thread_takes_feed || matches!(self.cycle.kind, CycleKind::FloatingTap(_));
+        let unit = |decimals: u32| units.in_mm() * 10_f64.powi(-(decimals as i32));
+        match (by_feed && state.feed_mode != Some(FeedMode::PerRevolution), state.speed) {
+            (true, Some(speed)) => unit(digits.feed(units)) / speed,
+            _ => unit(digits.pitch(units)),
+        }
     }
 
     fn feed_fault(&self) -> Option<String> {
@@ -283,35 +316,31 @@ impl CycleComparison<'_> {
         rules.law().wrong(&stroke, &state)
     }
 
+    /// The hole of the CL data in the terms of a cycle.
+    fn expected_kind(&self, units: Units) -> String {
+        let left = matches!(self.spindle, Some((_, Rotation::CounterClockwise)));
+        match self.hole.drilling {
+            Drilling::Through { .. } => return "single motions through several plates".to_owned(),
+            Drilling::Drill => CycleKind::Drill,
+            Drilling::Ream => CycleKind::Ream,
+            Drilling::Peck { later_mm, .. } => CycleKind::Peck(later_mm),
+            Drilling::ChipBreak { step_mm, .. } => CycleKind::ChipBreak(step_mm),
+            Drilling::FineBore { .. } => CycleKind::FineBore(FineBore::default()),
+            Drilling::Tap { pitch_mm: None } => return "a thread of unknown pitch".to_owned(),
+            Drilling::Tap { pitch_mm: Some(pitch) } => CycleKind::Tap(if left { -pitch } else { pitch }),
+        }
+        .text(units)
+    }
+
     fn dwell_fault(&self) -> Option<String> {
         let seconds = match (self.hole.dwell, self.spindle) {
             (Some(Dwell::Seconds(seconds)), _) => seconds,
             (Some(Dwell::Revolutions(count)), Some((speed, _))) => count / speed * 60.0,
             (Some(Dwell::Revolutions(_)), None) | (None, _) => 0.0,
         };
-        ((self.cycle.dwell - seconds).abs() > ROUNDED_DWELL)
-            .then(|| format!("the cycle dwells for {} s at the bottom, expected {seconds} s", self.cycle.dwell))
-    }
-}
-
-/// A hole of the CL data in the terms of a cycle.
-fn expected_kind(hole: &Hole) -> String {
-    let kind = match hole.drilling {
-        Drilling::Through { .. } => return "single motions through several plates".to_owned(),
-        Drilling::Drill => CycleKind::Drill,
-        Drilling::Ream => CycleKind::Ream,
-        Drilling::Peck { later_mm, .. } => CycleKind::Peck(later_mm),
-        Drilling::ChipBreak { step_mm, .. } => CycleKind::ChipBreak(step_mm),
-        Drilling::FineBore { .. } => CycleKind::FineBore(FineBore::default()),
-        Drilling::Tap { pitch_mm } => CycleKind::Tap(pitch_mm.unwrap_or(0.0)),
-    };
-    kind.to_string()
-}
-
-/// Feed in mm per revolution.
-fn per_revolution(feed: Option<Feed>, speed_rev_per_min: Option<f64>) -> Option<f64> {
-    match feed? {
-        Feed::PerRevolution(pitch) => Some(pitch),
-        Feed::PerMinute(feed) => speed_rev_per_min.map(|speed| feed / speed),
+        ((self.cycle.dwell - seconds).abs() > ROUNDED_DWELL).then(|| {
+            let [found, expected] = [self.cycle.dwell, seconds].map(Shown);
+            format!("the cycle dwells for {found} s at the bottom, expected {expected} s")
+        })
     }
 }

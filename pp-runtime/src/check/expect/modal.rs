@@ -684,11 +684,14 @@ impl<'a> ClState<'a> {
     /// A hole whose motions are being added, at its feed.
     fn at_feed(&self, hole: &Rc<ExpectedHole>) -> Rc<ExpectedHole> {
         let mut expected = Rc::clone(hole);
-        if let (Drilling::Tap { pitch_mm: None }, Some(Feed::PerMinute(feed)), Some((speed, _))) =
-            (expected.hole.drilling, expected.hole.feed, self.exact_spindle())
-        {
+        if let Drilling::Tap { pitch_mm: None } = expected.hole.drilling {
             // The thread is that of the CL data, whichever speed is written.
-            Rc::make_mut(&mut expected).hole.drilling = Drilling::Tap { pitch_mm: Some(feed / speed) };
+            let pitch_mm = match (expected.hole.feed, self.exact_spindle()) {
+                (Some(Feed::PerRevolution(pitch)), _) => Some(pitch),
+                (Some(Feed::PerMinute(feed)), Some((speed, _))) => Some(feed / speed),
+                (Some(Feed::PerMinute(_)), None) | (None, _) => None,
+            };
+            Rc::make_mut(&mut expected).hole.drilling = Drilling::Tap { pitch_mm };
         }
         let feed = expected.hole.feed.map(|feed| if self.in_thread() { feed } else { self.capped(feed) });
         if feed != expected.hole.feed {

@@ -3,7 +3,7 @@
 //! Lengths are mm and angles rad, whatever the unit of the program; levels and centres count as the words of the program
 //! do. Nothing in here knows a machine or CL data.
 
-use std::fmt;
+use crate::program::Units;
 
 pub(super) use super::state::settled;
 pub use super::state::{
@@ -298,23 +298,23 @@ impl FineBore {
     }
 }
 
-impl fmt::Display for CycleKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl CycleKind {
+    /// The kind in words, with lengths in the unit of the program.
+    pub(crate) fn text(&self, units: Units) -> String {
+        let thread = |pitch: f64, floats: bool| {
+            let hand = if pitch < 0.0 { "a left-hand thread" } else { "a thread" };
+            let floats = if floats { ", not in step with the spindle" } else { "" };
+            format!("{hand} with a pitch of {}{floats}", units.length(pitch.abs()))
+        };
         match self {
-            Self::Drill => f.write_str("a drilled hole"),
-            Self::Ream => f.write_str("a reamed hole"),
-            Self::Bore => f.write_str("a bored hole"),
-            Self::FineBore(_) => f.write_str("a bore with the spindle stopped at an angle"),
-            Self::Peck(step) => write!(f, "a peck-drilled hole, full retract after each {step} mm"),
-            Self::ChipBreak(step) => write!(f, "a peck-drilled hole, chip break after each {step} mm"),
-            Self::Tap(pitch) if *pitch < 0.0 => write!(f, "a left-hand thread with a pitch of {} mm", -pitch),
-            Self::Tap(pitch) => write!(f, "a thread with a pitch of {pitch} mm"),
-            Self::FloatingTap(pitch) if *pitch < 0.0 => {
-                write!(f, "a left-hand thread with a pitch of {} mm, not in step with the spindle", -pitch)
-            }
-            Self::FloatingTap(pitch) => {
-                write!(f, "a thread with a pitch of {pitch} mm, not in step with the spindle")
-            }
+            Self::Drill => "a drilled hole".to_owned(),
+            Self::Ream => "a reamed hole".to_owned(),
+            Self::Bore => "a bored hole".to_owned(),
+            Self::FineBore(_) => "a bore with the spindle stopped at an angle".to_owned(),
+            Self::Peck(step) => format!("a peck-drilled hole, full retract after each {}", units.length(*step)),
+            Self::ChipBreak(step) => format!("a peck-drilled hole, chip break after each {}", units.length(*step)),
+            Self::Tap(pitch) => thread(*pitch, false),
+            Self::FloatingTap(pitch) => thread(*pitch, true),
         }
     }
 }

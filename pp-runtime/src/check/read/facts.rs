@@ -186,6 +186,8 @@ pub(crate) struct Facts {
     pub(crate) plane_guard: bool,
     /// The control has switched the spindle off after a thread that is in step with it.
     pub(crate) tap_stops_spindle: bool,
+    /// A thread that is in step with the spindle takes F; otherwise a word of its own is the pitch.
+    pub(crate) thread_takes_feed: bool,
     /// The control has switched the spindle off after a bore with the spindle stopped at an angle.
     pub(crate) bore_stops_spindle: bool,
     /// Whether centres of arcs are absolute is modal, and the end of a program leaves it as it is.
@@ -296,6 +298,7 @@ const ISO: Facts = Facts {
     plane_guard: false,
     // Rigid tapping: Fanuc B-63944EN/02 (2004), Haas 96-8000 (from memory).
     tap_stops_spindle: true,
+    thread_takes_feed: true,
     bore_stops_spindle: false,
     modal_centres: false,
     guard_in_mm: false,
@@ -377,6 +380,7 @@ impl Family {
                 length_off_at_machine_coordinates: false,
                 reference_cancels_length: false,
                 tap_stops_spindle: false,
+                thread_takes_feed: false,
                 // LinuxCNC, interp_convert.cc, convert_stop: M2 does not reset G90.1.
                 modal_centres: true,
                 guard_in_mm: true,
@@ -442,6 +446,7 @@ impl Family {
                 message: Some(["MSG(\"", "\")"]),
                 names_are_messages: true,
                 tap_stops_spindle: false,
+                thread_takes_feed: false,
                 bore_stops_spindle: true,
                 rapids_interpolated: true,
                 tool_axis_interpolation: true,
@@ -462,6 +467,7 @@ impl Family {
                 ..ISO
             },
             Self::Heidenhain => Facts {
+                thread_takes_feed: false,
                 form: Form::Statements,
                 registers: LengthRegisters::Rows,
                 length_moves: false,

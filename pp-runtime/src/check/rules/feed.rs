@@ -15,7 +15,7 @@ use crate::check::tolerances::{
 };
 use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{AnyMachine, AxisKind};
-use crate::program::{Feed, Units};
+use crate::program::{Feed, Shown, Units};
 
 /// Motion of one feed block.
 #[derive(Debug, Clone)]
@@ -114,7 +114,7 @@ impl FeedLaw {
         };
         Self {
             path: feed.path.unwrap_or(usual),
-            largest_word: bound - 10_f64.powi(-(policy.digits.feed as i32)),
+            largest_word: bound - 10_f64.powi(-(policy.digits.feed(program) as i32)),
             perpendicular: is_perpendicular(machine),
             linear_bits: bits.0,
             rotary_bits: bits.1,
@@ -125,7 +125,7 @@ impl FeedLaw {
             reorient_rad_per_min: feed.reorient_rad_per_min,
             unit_mm: units.0,
             unit_rad: units.1,
-            smallest: 10_f64.powi(-(policy.digits.feed as i32)),
+            smallest: 10_f64.powi(-(policy.digits.feed(program) as i32)),
             digits: policy.digits.inverse_time,
             along_tip: policy.linear_of_all() == Some(LinearMeaning::TipCoordinates),
             per_mm: in_tenths / program.in_mm(),
@@ -398,7 +398,11 @@ impl FeedLaw {
         let largest = self.reorient_rad_per_min.to_degrees() * f64::from(self.rotary_bits.count_ones()).sqrt();
         let feed = state.feed.unwrap_or(0.0);
         (feed <= 0.0 || feed > largest + self.step(FeedMode::PerMinute, largest)).then(|| {
-            format!("F is {feed} per minute where only the tool axis rotates, allowed at most {largest:.6} degrees")
+            format!(
+                "F is {} per minute where only the tool axis rotates, allowed at most {} degrees",
+                Shown(feed),
+                Shown(largest)
+            )
         })
     }
 
@@ -442,7 +446,10 @@ impl FeedLaw {
             Some(changes) if changes.is_empty() => 0.0,
             Some(changes) => SLOWED_BY_ROUNDING * changes.iter().map(held_back).fold(low, f64::min),
         };
-        (!suits(least)).then(|| format!("F is {feed} per minute, allowed at most {most:.6}, at least {least:.6}"))
+        (!suits(least)).then(|| {
+            let [feed, most, least] = [feed, most, least].map(Shown);
+            format!("F is {feed} per minute, allowed at most {most}, at least {least}")
+        })
     }
 
     /// What is wrong with F; `None` if it is right.
@@ -453,7 +460,7 @@ impl FeedLaw {
         if let (Some(written), true) = (state.feed, state.feed_mode == Some(mode)) {
             if mode == FeedMode::InverseTime && written > self.largest_inverse_time * (1.0 + F_NOISE) {
                 let largest = self.largest_inverse_time;
-                return Some(format!("F is {written} in inverse time, allowed at most {largest}"));
+                return Some(format!("F is {} in inverse time, allowed at most {}", Shown(written), Shown(largest)));
             }
             if self.is_between(written, mode, expected, expected) {
                 return None;
@@ -467,13 +474,14 @@ impl FeedLaw {
             FeedMode::InverseTime => ("inverse-time feed", "1/min"),
             _ => ("feed per minute", "per minute"),
         };
+        let expected = Shown(expected);
         Some(match state.feed {
             _ if state.feed_mode != Some(mode) => {
                 let since = state.since_lost(state.feed_mode.is_none());
-                format!("feed mode {name} is not active: expected {name} with F {expected:.6} {unit}{since}")
+                format!("feed mode {name} is not active: expected {name} with F {expected} {unit}{since}")
             }
-            None => format!("F is missing, expected {expected:.6} {unit}"),
-            Some(written) => format!("F is {written} {unit}, expected {expected:.6}"),
+            None => format!("F is missing, expected {expected} {unit}"),
+            Some(written) => format!("F is {} {unit}, expected {expected}", Shown(written)),
         })
     }
 }

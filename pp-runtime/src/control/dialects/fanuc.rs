@@ -17,7 +17,9 @@
 //!
 //! D is a radius where parameter 5004#2 is 0, and a diameter where it is 1 (from memory).
 //!
-//! In `G95` F of a thread is its pitch, as in Autodesk's public posts for Fanuc and Haas (`useG95forTapping`).
+//! In `G95` F of a thread is its pitch, as in Autodesk's public posts for Fanuc and Haas (`useG95forTapping`). F of an inch program
+//! has four decimals: with a decimal point the control takes five (parameter 1404#2, from memory). F of `G93` has one range in
+//! both units (B-62764EN/01, G93).
 //!
 //! `G43.4 H` starts tip control in the block that moves to the first point, which is one of length compensation only
 //! (A-79348E, p. 16): never with rotary words, never alone. X and Y are over this point before it: over a tilted table in
@@ -51,6 +53,7 @@ static SPELLINGS: Spellings = Spellings {
     formats: Formats {
         rotary: 3,
         feed: 2,
+        feed_inch: 4,
         linear_whole: 6,
         rotary_whole: 6,
         feed_whole: 6,

@@ -19,7 +19,9 @@
 //! is an option, the entry of B in the work offset is 0: UMC manual, p. 56, and the page of G254). `G49` ends tip control in
 //! the block of `G53`.
 //!
-//! In `G95` F of a thread is its pitch, as in Autodesk's public posts for Haas (`useG95forTapping`).
+//! In `G95` F of a thread is its pitch, as in Autodesk's public posts for Haas (`useG95forTapping`). F of an inch program has four
+//! decimals, from memory; Autodesk's public post for the NGC writes three (`feedFormat`, 2 in mm). With three a thread of 80 threads
+//! per inch at 101 rev/min is off by 0.04 %.
 //!
 //! `G91 G28 Z0.` moves Z to machine zero, through the point where it is, and cancels the length offset (mill manual 96-8000,
 //! G28).
@@ -48,6 +50,7 @@ static SPELLINGS: Spellings = Spellings {
     formats: Formats {
         rotary: 3,
         feed: 2,
+        feed_inch: 4,
         linear_whole: 6,
         rotary_whole: 6,
         feed_whole: 6,

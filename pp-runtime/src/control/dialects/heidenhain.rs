@@ -3,7 +3,8 @@
 //! Every line has a number, comments included. Every straight motion begins with L, an arc with C or CR, and a helix
 //! with CP; only axis words, F and R0 are modal. There is no inverse-time feed, so F applies to the control's own path.
 //! The spindle speed is part of TOOL CALL, which takes the length from the tool table. In an inch program F is in
-//! tenths of an inch. A `~` at the end of a line continues it in the next line, so no comment holds one. A dwell of
+//! tenths of an inch. Q239 is -99.9999 to 99.9999 (TNC 640, cycle programming 34059x-01, p. 102), so a pitch has four decimals in
+//! both units. A `~` at the end of a line continues it in the next line, so no comment holds one. A dwell of
 //! cycle 9 is at most 3600 s (TNC 640 user's manual, 19.3).
 //!
 //! `L .. FMAX` is a straight line in which all axes of the block move together (iTNC 530 ISO manual 60642x-03, p. 211: G00
@@ -143,7 +144,15 @@ const RIGID_TAPPING: &str = "CYCL DEF 207 RIGID TAPPING NEW ~\n\
 static SPELLINGS: Spellings = Spellings {
     name: "heidenhain",
     title: "Heidenhain TNC",
-    formats: Formats { linear_whole: 5, rotary_whole: 5, feed_whole: 5, speed_whole: 5, ..Formats::DEFAULT },
+    formats: Formats {
+        pitch_mm: 4,
+        pitch_inch: 4,
+        linear_whole: 5,
+        rotary_whole: 5,
+        feed_whole: 5,
+        speed_whole: 5,
+        ..Formats::DEFAULT
+    },
     numerals: Numerals { point: false, plus: true },
     line_length: 250,
     numbers_every_line: true,
@@ -207,7 +216,6 @@ static SPELLINGS: Spellings = Spellings {
             returns_to_any_level: true,
             programs_gap: true,
             tap_stops_spindle: true,
-            pitch_decimals: 4,
             // 0.2 mm, and the spindle as before: cycle 202 in the manuals of cycle programming (from memory).
             fine_bore: Some(FineBoreAbility { states_angle: true, fixed_shift_um: Some(200), stops_spindle: false }),
             ..CycleAbilities::CODES

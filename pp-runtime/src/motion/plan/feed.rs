@@ -15,7 +15,7 @@ use crate::motion::options::Policy;
 use crate::motion::options::{PathNorm, StretchMode};
 use crate::nc::Decimal;
 use crate::program;
-use crate::program::Units;
+use crate::program::{Shown, Units};
 
 use crate::motion::fault::Fault;
 use crate::motion::plan::abilities::Abilities;
@@ -25,6 +25,7 @@ use crate::motion::tolerances::{FASTER, RESTING_BLOCK, ROUNDED_BLOCK_LENGTH};
 /// Computes F words.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Feeds {
+    units: Units,
     /// Unit of length of the program, mm.
     unit_mm: f64,
     feed_decimals: u32,
@@ -103,15 +104,16 @@ impl Feeds {
         let (feed_bound, last_digit) = (10_f64.powi(whole), 10_f64.powi(whole - digits));
         let largest_inverse_time = abilities.largest_inverse_time.min(feed_bound - last_digit);
         let mut feeds = Self {
+            units,
             unit_mm: units.in_mm(),
-            feed_decimals: policy.formats.feed,
+            feed_decimals: policy.formats.feed_decimals(units),
             inverse_time_digits: policy.formats.inverse_time,
             path_norm: abilities.path_norm,
             along_tip: false,
             inverse_per_min: None,
             feed_per_unit: if units == Units::Inches { abilities.feed_per_inch } else { 1.0 },
             feed_bound,
-            largest_word: feed_bound - 10_f64.powi(-(policy.formats.feed as i32)),
+            largest_word: feed_bound - 10_f64.powi(-(policy.formats.feed_decimals(units) as i32)),
             reorient_rad_per_min: policy.options.rapids.reorient_rad_per_min,
             smallest_length_mm,
             shortest_block_min: policy.options.feed.shortest_block_s / 60.0,
@@ -143,9 +145,15 @@ impl Feeds {
         FASTER * length_mm + ROUNDED_BLOCK_LENGTH * self.smallest_length_mm
     }
 
-    /// Unit of length of the program, mm.
-    pub(crate) fn unit_mm(&self) -> f64 {
-        self.unit_mm
+    /// Unit of length of the program.
+    pub(crate) fn units(&self) -> Units {
+        self.units
+    }
+
+    /// An F per minute that differs from a feed by at most this share of it needs so many decimals; `None` if no format has as many.
+    pub(crate) fn decimals_within(&self, feed: f64, share: f64) -> Option<u32> {
+        let value = feed / self.unit_mm * self.feed_per_unit;
+        decimals_within(value, share)
     }
 
     /// Feed of an F per minute, mm/min.
@@ -167,7 +175,7 @@ impl Feeds {
     #[inline(always)]
     pub(crate) fn pace(&self, feed: f64, motion: FeedMotion) -> Result<Pace, Fault> {
         if feed.is_nan() || feed <= 0.0 {
-            return Err(written_as_zero(feed));
+            return Err(written_as_zero(feed, self.units));
         }
         let programmed_min = self.programmed_min(feed, motion);
         let plain = motion.rotation_rad == 0.0 && motion.orthogonal;
@@ -196,7 +204,8 @@ impl Feeds {
             }
             Some(per_min) => {
                 let inverse = 1.0 / (time_min * per_min);
-                let word = Decimal::significant(inverse, self.inverse_time_digits).map_err(|_| too_large(feed))?;
+                let word =
+                    Decimal::significant(inverse, self.inverse_time_digits).map_err(|_| too_large(feed, self.units))?;
                 // Rounding must not lead beyond the limit.
                 let is_beyond = inverse > self.largest_before_rounding && word.value() > self.largest_inverse_time;
                 let word = if is_beyond { self.largest_word()? } else { word };
@@ -208,7 +217,7 @@ impl Feeds {
             }
         };
         if word.units <= 0 {
-            return Err(written_as_zero(motion.length_mm / time_min));
+            return Err(written_as_zero(motion.length_mm / time_min, self.units));
         }
         if let FeedWord::PerMinute(_) = feed
             && word.units == 1
@@ -223,14 +232,14 @@ impl Feeds {
     /// F of this value per minute. A block that is slowed down from the second of two times to the first, for `shortest_block`
     /// alone, has the smallest F at least.
     fn per_minute_word(&self, feed: f64, value: f64, (time_min, needed_min): (f64, f64)) -> Result<Decimal, Fault> {
-        let word = Decimal::fixed(value, self.feed_decimals).map_err(|_| too_large(feed))?;
+        let word = Decimal::fixed(value, self.feed_decimals).map_err(|_| too_large(feed, self.units))?;
         let smallest = Decimal { units: 1, ..word };
         let slowed = word.units <= 0 && value * time_min / needed_min >= smallest.value();
         let word = if slowed { smallest } else { word };
         if word.value() < self.feed_bound {
             return Ok(word);
         }
-        let text = format!("F{} has more digits than an F word of this control", word.value());
+        let text = format!("F{} has more digits than an F word of this control", Shown(word.value()));
         Err(Fault::new(text).help(
             "`[feed] largest` or `shortest_block` slows such blocks down; `[formats] feed_whole` is the number of digits \
              before the decimal point",
@@ -277,16 +286,36 @@ impl Feeds {
     }
 }
 
+/// Most decimals of a format.
+pub(crate) const MOST_DECIMALS: u32 = 6;
+
+/// Fewest decimals with which a value is off by at most a share of it; `None` if no format has as many.
+pub(crate) fn decimals_within(value: f64, share: f64) -> Option<u32> {
+    let is_within = |decimals: &u32| {
+        Decimal::fixed(value, *decimals).is_ok_and(|word| (word.value() - value).abs() <= share * value.abs())
+    };
+    (0..=MOST_DECIMALS).find(is_within)
+}
+
+/// Key of the decimals of F per minute.
+pub(crate) fn feed_key(units: Units) -> &'static str {
+    match units {
+        Units::Millimetres => "feed",
+        Units::Inches => "feed_inch",
+    }
+}
+
 /// Fault: an F of no digits but zeros.
 #[cold]
-fn written_as_zero(feed: f64) -> Fault {
-    Fault::new(format_args!("a feed of {feed} mm/min is written as F0"))
-        .help("check the unit of FEDRAT, or give F more decimals (`[formats] feed`)")
+fn written_as_zero(feed: f64, units: Units) -> Fault {
+    let key = feed_key(units);
+    Fault::new(format_args!("a feed of {} is written as F0", units.feed(feed)))
+        .help(format_args!("check the unit of FEDRAT, or give F more decimals (`[formats] {key}`)"))
 }
 
 #[cold]
-fn too_large(feed: f64) -> Fault {
-    Fault::new(format_args!("a feed of {feed} mm/min is too large for an F word"))
+fn too_large(feed: f64, units: Units) -> Fault {
+    Fault::new(format_args!("a feed of {} is too large for an F word", units.feed(feed)))
 }
 
 #[cfg(test)]

@@ -7,20 +7,20 @@
 //! never is: only a cycle synchronises spindle and feed.
 
 use crate::kinematics::{Pose, math};
-use crate::motion::options::{CycleOutput, StretchMode};
+use crate::motion::options::{CycleOutput, StretchMode, ThreadFeed};
 use crate::nc::Decimal;
-use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation};
+use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation, Shown, Units};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::AxisPosition;
-use crate::motion::plan::feed::FeedMotion;
+use crate::motion::plan::feed::{FeedMotion, decimals_within, feed_key};
 use crate::motion::plan::{MotionAndNext, Planner, records};
 use crate::motion::source::{Begins, MotionIndex, Next};
 use crate::motion::step::BlockReason;
 use crate::motion::step::{AxisWords, FeedWord, Sink, Step};
 use crate::motion::step::{CannedCycle, CannedKind};
 use crate::motion::tolerances::{
-    LEAN_BY_ROUNDING, MOST_HOLE_STEPS, NO_ORIENT_ANGLE_DEG, ROUNDED_PITCH, SAME_BORE_SHIFT, SAME_LEVEL, THREAD_FEED,
+    LEAN_BY_ROUNDING, MOST_HOLE_STEPS, NO_ORIENT_ANGLE_DEG, NO_PITCH_ERROR, PITCH_ERROR, SAME_BORE_SHIFT, SAME_LEVEL,
 };
 use crate::nalgebra::Vector3;
 
@@ -114,7 +114,7 @@ pub(crate) fn hole_extent(hole: &Hole) -> [[[f64; 3]; 2]; 2] {
 }
 
 /// Depths at which the steps of a hole end, in order, mm.
-fn steps(hole: &Hole) -> Result<impl Iterator<Item = f64>, Fault> {
+fn steps(hole: &Hole, units: Units) -> Result<impl Iterator<Item = f64>, Fault> {
     let (first, later) = match hole.drilling {
         Drilling::Peck { first_mm: first, later_mm: later } => (first, later),
         Drilling::ChipBreak { step_mm: step, .. } => (step, step),
@@ -125,8 +125,11 @@ fn steps(hole: &Hole) -> Result<impl Iterator<Item = f64>, Fault> {
         | Drilling::Tap { .. } => (hole.depth_mm, hole.depth_mm),
     };
     if (hole.depth_mm - first) / later > f64::from(MOST_HOLE_STEPS - 1) {
-        let text =
-            format!("a hole {} mm deep in steps of {later} mm takes more than {MOST_HOLE_STEPS} steps", hole.depth_mm);
+        let text = format!(
+            "a hole {} deep in steps of {} takes more than {MOST_HOLE_STEPS} steps",
+            units.length(hole.depth_mm),
+            units.length(later)
+        );
         return Err(Fault::new(text).help("check the step of the cycle and its unit"));
     }
     let depth = hole.depth_mm;
@@ -244,7 +247,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             }
         }
         let mut before: Option<f64> = None;
-        for done in steps(hole)? {
+        for done in steps(hole, self.planner.mover.placer().units())? {
             if let Some(before) = before {
                 if matches!(hole.drilling, Drilling::Peck { .. }) {
                     self.rapid_to(hole.clearance_mm)?;
@@ -368,7 +371,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             && can.programs_gap
         {
             let depth = cycle.surface - cycle.bottom;
-            let as_many = steps(self.hole)?.count() as i64 == (depth + step - 1) / step;
+            let as_many =
+                steps(self.hole, self.planner.mover.placer().units())?.count() as i64 == (depth + step - 1) / step;
             let in_hole = gap > 0 && gap <= step + cycle.clearance - cycle.surface;
             return Ok((!(as_many && in_hole)).then_some(NoCycle::OtherSteps));
         }
@@ -408,7 +412,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             }
             Drilling::Tap { .. } if !can.tap => Err(NoCycle::NoTappingCycle),
             Drilling::Tap { .. } if !no_dwell && !can.tap_dwell => Err(NoCycle::NoTappingDwell),
-            Drilling::Tap { pitch_mm: pitch } => Ok(self.thread(pitch)?),
+            Drilling::Tap { .. } => Ok(self.thread()?),
             Drilling::FineBore { orient_rad } => self.fine_bore(orient_rad)?,
             // No control feeds and moves at rapid in turn on the way down.
             Drilling::Through { .. } => Err(NoCycle::OtherSteps),
@@ -438,15 +442,21 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         };
         let degrees = orient_rad.to_degrees();
         if !can.states_angle && degrees.abs() > NO_ORIENT_ANGLE_DEG {
-            let text =
-                format!("the machine stops the spindle at its own angle, and the CL data asks for {degrees} degrees");
+            let text = format!(
+                "the machine stops the spindle at its own angle, and the CL data asks for {} degrees",
+                Shown(degrees)
+            );
             return Err(Fault::new(text).help("write ORIENT,0 and mount the tool for the angle of the machine"));
         }
         let shift_mm = options.bore_shift_mm;
         if let Some(fixed) = can.fixed_shift_um.map(|shift| f64::from(shift) * 1e-3)
             && (fixed - shift_mm).abs() > SAME_BORE_SHIFT
         {
-            let text = format!("this control moves the tool off the wall by {fixed} mm, not by {shift_mm} mm");
+            let text = format!(
+                "this control moves the tool off the wall by {}, not by {}",
+                self.planner.mover.placer().units().length(fixed),
+                self.planner.mover.placer().units().length(shift_mm)
+            );
             return Err(Fault::new(text).help("leave `cycles.bore_shift` out"));
         }
         let shift = (shift_mm / self.planner.mover.placer().unit_mm()).round() as i64;
@@ -455,33 +465,28 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         Ok(Ok(CannedKind::FineBore { direction, shift, orient, left: rotation == Rotation::CounterClockwise }))
     }
 
+    /// Pitch of the thread, mm: that of the CL data, with the speed that it has there and not with the rounded one.
+    fn pitch_mm(&self) -> Result<f64, Fault> {
+        let programmed = match (self.hole.drilling, self.hole.feed) {
+            (Drilling::Tap { pitch_mm: Some(pitch) }, _) | (_, Some(Programmed::PerRevolution(pitch))) => Some(pitch),
+            (_, Some(Programmed::PerMinute(feed))) => self.planner.spindle.exact_speed().map(|exact| feed / exact),
+            (_, None) => None,
+        };
+        programmed.filter(|pitch| *pitch > 0.0).ok_or_else(|| Fault::new("the pitch of this thread is unknown"))
+    }
+
     /// The tapping cycle at the spindle speed as written.
-    fn thread(&self, pitch: Option<f64>) -> Result<CannedKind, Fault> {
+    fn thread(&self) -> Result<CannedKind, Fault> {
         let Some((rev_per_min, rotation)) = self.planner.spindle.running() else {
             return Err(Fault::new("tapping with the spindle off"));
         };
-        // The thread is that of the CL data, with the speed that it has there and not with the rounded one.
-        let stated = match self.hole.feed {
-            Some(Programmed::PerRevolution(pitch)) => Some(pitch),
-            Some(Programmed::PerMinute(feed)) => self.planner.spindle.exact_speed().map(|exact| feed / exact),
-            None => None,
-        };
-        let pitch = pitch.or(stated).filter(|pitch| *pitch > 0.0);
-        let pitch = pitch.ok_or_else(|| Fault::new("the pitch of this thread is unknown"))?;
         let too_large = |_| Fault::new("the pitch or the spindle speed of this thread is too large for a word");
-        let exact = pitch / self.planner.mover.feeds().unit_mm();
-        let pitch = Decimal::fixed(exact, self.planner.abilities.cycles.pitch_decimals).map_err(too_large)?;
-        if (pitch.value() / exact - 1.0).abs() > ROUNDED_PITCH {
-            let fault =
-                Fault::new(format_args!("the pitch of this thread, {exact}, needs more decimals than its word has"));
-            return Err(
-                fault.help("set `output_units` to the unit in which the pitch is a short number, \"mm\" or \"in\"")
-            );
-        }
+        let (units, formats) = (self.planner.mover.placer().units(), self.planner.policy.formats);
+        let pitch = Decimal::fixed(self.pitch_mm()? / units.in_mm(), formats.pitch_decimals(units));
         Ok(CannedKind::Tap {
-            pitch,
+            pitch: pitch.map_err(too_large)?,
             left: rotation == Rotation::CounterClockwise,
-            speed: Decimal::fixed(rev_per_min, self.planner.policy.formats.speed).map_err(too_large)?,
+            speed: Decimal::fixed(rev_per_min, formats.speed).map_err(too_large)?,
         })
     }
 
@@ -489,9 +494,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     fn feed(&self, kind: CannedKind, over: &AxisPosition) -> Result<Decimal, Fault> {
         let (hole, feeds) = (self.hole, self.planner.mover.feeds());
         let per_minute = match kind {
-            CannedKind::Tap { pitch, speed, .. } => {
-                self.planner.thread_feed(pitch.value() * feeds.unit_mm() * speed.value())?
-            }
+            CannedKind::Tap { speed, .. } => self.planner.thread_feed(self.pitch_mm()? * speed.value())?,
             CannedKind::Drill
             | CannedKind::Peck { .. }
             | CannedKind::ChipBreak { .. }
@@ -508,17 +511,97 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let FeedWord::PerMinute(word) = pace.feed else {
             return Err(Fault::new("a cycle cannot have a feed in inverse time"));
         };
-        if let CannedKind::Tap { .. } = kind
-            && (pace.slowed_min > 0.0
-                || self.planner.abilities.cycles.tap_uses_feed
-                    && (feeds.mm_per_minute(word) / per_minute - 1.0).abs() > THREAD_FEED)
-        {
-            return Err(Fault::new(format_args!(
-                "this thread needs a feed of {per_minute} mm/min, which F cannot express or an axis cannot reach"
-            ))
-            .help("give another spindle speed"));
+        if let CannedKind::Tap { pitch, speed, .. } = kind {
+            if pace.slowed_min > 0.0 {
+                let text = format!(
+                    "this thread needs a feed of {}, which an axis cannot reach, or which `[feed] largest` or \
+                     `shortest_block` slows down",
+                    feeds.units().feed(per_minute)
+                );
+                return Err(Fault::new(text).help("lower the spindle speed of the thread"));
+            }
+            self.check_pitch(self.written_pitch_mm(pitch, speed, word), speed)?;
         }
         Ok(word)
+    }
+
+    /// Pitch that the control makes of the words, mm: that of its word, else that of F and S.
+    fn written_pitch_mm(&self, pitch: Decimal, speed: Decimal, feed: Decimal) -> f64 {
+        let feeds = self.planner.mover.feeds();
+        if self.is_pitch_from_feed() {
+            feeds.mm_per_minute(feed) / speed.value()
+        } else {
+            pitch.value() * feeds.units().in_mm()
+        }
+    }
+
+    /// Whether the control derives the pitch from F per minute and S.
+    fn is_pitch_from_feed(&self) -> bool {
+        self.planner.abilities.cycles.tap_uses_feed
+            && self.planner.policy.options.cycles.thread_feed == ThreadFeed::PerMinute
+    }
+
+    /// Error of a pitch over the length of the thread, mm.
+    fn pitch_error_mm(&self, written_mm: f64) -> Result<f64, Fault> {
+        let pitch_mm = self.pitch_mm()?;
+        let error_mm = (written_mm - pitch_mm) * (self.hole.clearance_mm + self.hole.depth_mm) / pitch_mm;
+        Ok(if error_mm.abs() > NO_PITCH_ERROR { error_mm } else { 0.0 })
+    }
+
+    /// Refuses a pitch that is rounded too much.
+    fn check_pitch(&self, written_mm: f64, speed: Decimal) -> Result<(), Fault> {
+        let pitch_mm = self.pitch_mm()?;
+        let error_mm = self.pitch_error_mm(written_mm)?;
+        if error_mm.abs() <= PITCH_ERROR * pitch_mm {
+            return Ok(());
+        }
+        let units = self.planner.mover.placer().units();
+        let length_mm = self.hole.clearance_mm + self.hole.depth_mm;
+        let text = format!(
+            "the pitch of this thread is {}, and that of its rounded words {}: over {} they differ by {}, more than 1 % of the \
+             pitch",
+            units.length(pitch_mm),
+            units.length(written_mm),
+            units.length(length_mm),
+            units.deviation(error_mm.abs())
+        );
+        Err(Fault::new(text).help(self.pitch_remedy(pitch_mm, PITCH_ERROR * pitch_mm / length_mm, speed)))
+    }
+
+    /// Settings with which a pitch is off by at most a share of it.
+    fn pitch_remedy(&self, pitch_mm: f64, share: f64, speed: Decimal) -> String {
+        let (feeds, formats) = (self.planner.mover.feeds(), self.planner.policy.formats);
+        let needed = |units: Units| decimals_within(pitch_mm / units.in_mm(), share);
+        let fits = |units: Units| needed(units).is_some_and(|decimals| decimals <= formats.pitch_decimals(units));
+        let units = feeds.units();
+        let mut remedies = Vec::new();
+        if self.is_pitch_from_feed() {
+            if self.planner.abilities.cycles.tap_per_revolution && fits(units) {
+                remedies.push("set `thread_feed = \"revolution\"` in `[cycles]`: F is then the pitch".to_owned());
+            }
+            if let Some(decimals) = feeds.decimals_within(pitch_mm * speed.value(), share) {
+                let key = feed_key(units);
+                remedies.push(format!("give F more decimals: `{key} = {decimals}` in `[formats]`"));
+            }
+        } else {
+            let other = match units {
+                Units::Millimetres => Units::Inches,
+                Units::Inches => Units::Millimetres,
+            };
+            if fits(other) {
+                remedies.push(format!("set `output_units = \"{}\"`", other.name()));
+            }
+            if let Some(decimals) = needed(units) {
+                let key = match units {
+                    Units::Millimetres => "pitch_mm",
+                    Units::Inches => "pitch_inch",
+                };
+                remedies.push(format!(
+                    "give the pitch more decimals, if the control takes them: `{key} = {decimals}` in `[formats]`"
+                ));
+            }
+        }
+        if remedies.is_empty() { "mill the thread".to_owned() } else { remedies.join("; or ") }
     }
 
     /// Writes the hole by its cycle.
@@ -534,6 +617,12 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         if !thread && !bore_stops {
             self.planner.restart_after_thread()?;
         }
+        let pitch_error_mm = match cycle.kind {
+            CannedKind::Tap { pitch, speed, .. } => {
+                self.pitch_error_mm(self.written_pitch_mm(pitch, speed, cycle.feed))?
+            }
+            _ => 0.0,
+        };
         self.planner.mover.watch_plunge(&hole.level(height), &hole.level(hole.clearance_mm));
         if cycle.back != cycle.clearance && began != cycle.back && !can.returns_to_any_level {
             // Such a cycle returns to the level at which it began.
@@ -551,7 +640,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         mover.write_motion(&Step::Cycle { cycle }, back)?;
         mover.output_mut().statistics_mut().cycles += 1;
         if let (CannedKind::Tap { pitch, left, .. }, Some(tool)) = (cycle.kind, self.planner.tooling.current()) {
-            mover.output_mut().threads_mut().count(tool.number, pitch, left);
+            mover.output_mut().threads_mut().count(tool.number, pitch, left, pitch_error_mm);
         }
         if thread || bore_stops {
             self.planner.spindle.note_thread(bore_stops || can.tap_stops_spindle);

@@ -6,20 +6,23 @@ use crate::nc::Decimal;
 const MOST: usize = 100;
 
 /// Threads with the same tool, pitch and hand.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Thread {
     /// Number of the tool.
     pub tool: u32,
-    /// Pitch as written, in the unit of the program per revolution.
+    /// Pitch in the unit of the program per revolution, with the decimals of a pitch.
     pub pitch: Decimal,
     /// Left-hand thread.
     pub left: bool,
     /// Number of holes.
     pub holes: u64,
+    /// Largest error of the pitch over the length of the thread by the rounding of words, mm: above zero where the thread is too
+    /// long.
+    pub error_mm: f64,
 }
 
 /// Threads of a program, in the order in which they are first cut.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Threads {
     list: Vec<Thread>,
     not_listed: u64,
@@ -27,11 +30,17 @@ pub struct Threads {
 
 impl Threads {
     /// Counts a hole.
-    pub(crate) fn count(&mut self, tool: u32, pitch: Decimal, left: bool) {
+    pub(crate) fn count(&mut self, tool: u32, pitch: Decimal, left: bool, error_mm: f64) {
         let same = |known: &Thread| (known.tool, known.pitch, known.left) == (tool, pitch, left);
         match self.list.iter().position(same) {
-            Some(index) => self.list[index].holes += 1,
-            None if self.list.len() < MOST => self.list.push(Thread { tool, pitch, left, holes: 1 }),
+            Some(index) => {
+                let thread = &mut self.list[index];
+                thread.holes += 1;
+                if error_mm.abs() > thread.error_mm.abs() {
+                    thread.error_mm = error_mm;
+                }
+            }
+            None if self.list.len() < MOST => self.list.push(Thread { tool, pitch, left, holes: 1, error_mm }),
             None => self.not_listed += 1,
         }
     }
@@ -60,11 +69,14 @@ mod tests {
         for (tool, units, left) in
             [(3, 1000, false), (3, 1000, false), (3, 1250, false), (3, 1000, true), (4, 1000, false)]
         {
-            threads.count(tool, pitch(units), left);
+            threads.count(tool, pitch(units), left, if left { -2e-3 } else { 1e-6 * units as f64 });
         }
         let holes: Vec<u64> = threads.listed().iter().map(|thread| thread.holes).collect();
         assert_eq!(holes, [2, 1, 1, 1]);
-        (0..200).for_each(|tool| threads.count(tool, pitch(500), false));
+        threads.count(3, pitch(1000), false, -3e-3);
+        threads.count(3, pitch(1000), false, 2e-3);
+        assert_eq!(threads.listed()[0].error_mm, -3e-3);
+        (0..200).for_each(|tool| threads.count(tool, pitch(500), false, 0.0));
         assert_eq!((threads.listed().len(), threads.not_listed()), (100, 104));
     }
 }

@@ -34,8 +34,8 @@ pub struct CycleAbilities {
     pub tap_stops_spindle: bool,
     /// Tapping takes an F word.
     pub tap_uses_feed: bool,
-    /// Decimals of the pitch.
-    pub pitch_decimals: u32,
+    /// F of tapping may be the pitch, in feed per revolution.
+    pub tap_per_revolution: bool,
     /// Boring with an oriented spindle, if the control has it.
     pub fine_bore: Option<FineBoreAbility>,
 }
@@ -68,7 +68,7 @@ impl CycleAbilities {
         programs_gap: false,
         tap_stops_spindle: false,
         tap_uses_feed: false,
-        pitch_decimals: 6,
+        tap_per_revolution: false,
         fine_bore: None,
     };
 }

@@ -417,12 +417,12 @@ fn the_pitch_of_a_thread_has_the_digits_of_the_control() {
     assert_eq!(refused(&Heidenhain), None);
     let events = after_cut([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(0.010_33) }, 2.0, None)]);
     let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::DiscardSteps);
-    assert!(found[0].text.contains("needs more decimals"), "{found:?}");
+    assert!(found[0].text.contains("and that of its rounded words"), "{found:?}");
     // 1.25 mm in inches: with four decimals 1.249 68 mm would be cut.
     let events =
         after_cut([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(1.25 / 25.4) }, 2.0, None)]);
     let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::DiscardSteps);
-    assert!(found[0].text.contains("needs more decimals"), "{found:?}");
+    assert!(found[0].text.contains("and that of its rounded words"), "{found:?}");
 }
 
 fn any_steps() -> impl Strategy<Value = Drilling> {
