@@ -17,6 +17,7 @@ mod eyes;
 mod faces;
 mod findings;
 mod foreign;
+mod inches;
 mod linearised;
 mod links;
 mod mixed_job;
