@@ -13,7 +13,7 @@ use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation, Shown, 
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::AxisPosition;
-use crate::motion::plan::feed::{FeedMotion, decimals_within, feed_key};
+use crate::motion::plan::feed::{FeedMotion, MOST_DECIMALS, decimals_within, feed_key};
 use crate::motion::plan::{MotionAndNext, Planner, records};
 use crate::motion::source::{Begins, MotionIndex, Next};
 use crate::motion::step::BlockReason;
@@ -573,35 +573,25 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let (feeds, formats) = (self.planner.mover.feeds(), self.planner.policy.formats);
         let needed = |units: Units| decimals_within(pitch_mm / units.in_mm(), share);
         let fits = |units: Units| needed(units).is_some_and(|decimals| decimals <= formats.pitch_decimals(units));
-        let units = feeds.units();
-        let mut remedies = Vec::new();
+        let units = self.planner.mover.placer().units();
         if self.is_pitch_from_feed() {
-            if self.planner.abilities.cycles.tap_per_revolution && fits(units) {
-                remedies.push("set `thread_feed = \"revolution\"` in `[cycles]`: F is then the pitch".to_owned());
-            }
-            if let Some(decimals) = feeds.decimals_within(pitch_mm * speed.value(), share) {
-                let key = feed_key(units);
-                remedies.push(format!("give F more decimals: `{key} = {decimals}` in `[formats]`"));
-            }
-        } else {
-            let other = match units {
-                Units::Millimetres => Units::Inches,
-                Units::Inches => Units::Millimetres,
+            let revolution = if self.planner.abilities.cycles.tap_per_revolution && fits(units) {
+                "set `thread_feed = \"revolution\"` in `[cycles]`: F is then the pitch; or "
+            } else {
+                ""
             };
-            if fits(other) {
-                remedies.push(format!("set `output_units = \"{}\"`", other.name()));
-            }
-            if let Some(decimals) = needed(units) {
-                let key = match units {
-                    Units::Millimetres => "pitch_mm",
-                    Units::Inches => "pitch_inch",
-                };
-                remedies.push(format!(
-                    "give the pitch more decimals, if the control takes them: `{key} = {decimals}` in `[formats]`"
-                ));
-            }
+            let decimals = feeds.decimals_within(pitch_mm * speed.value(), share).unwrap_or(MOST_DECIMALS);
+            let key = feed_key(units);
+            return format!("{revolution}give F more decimals: `{key} = {decimals}` in `[formats]`");
         }
-        if remedies.is_empty() { "mill the thread".to_owned() } else { remedies.join("; or ") }
+        let (other, key) = match units {
+            Units::Millimetres => (Units::Inches, "pitch_mm"),
+            Units::Inches => (Units::Millimetres, "pitch_inch"),
+        };
+        let name = other.name();
+        let unit = if fits(other) { format!("set `output_units = \"{name}\"`; or ") } else { String::new() };
+        let decimals = needed(units).unwrap_or(MOST_DECIMALS);
+        format!("{unit}give the pitch more decimals, if the control takes them: `{key} = {decimals}` in `[formats]`")
     }
 
     /// Writes the hole by its cycle.

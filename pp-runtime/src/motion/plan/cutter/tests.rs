@@ -215,7 +215,7 @@ fn an_arc_that_would_be_chords_is_refused() {
 fn a_lead_in_is_longer_than_the_radius_that_d_holds() {
     let short = from_below(&[asked(CutterSide::Left), feed([0.0, -15.5, 0.0], UP), feed([9.0, -15.5, 0.0], UP)]);
     let text = |path| run::<Xyz>(&set_up(Some(path)), &short).error().text.clone();
-    assert!(text(CutterPath::Contour).contains("4.500 mm long, shorter than the tool radius of 5.000 mm"));
+    assert!(text(CutterPath::Contour).contains("4.5 mm long, shorter than the tool radius of 5 mm"));
     assert!(text(CutterPath::Centre).contains("the program ends"));
 }
 

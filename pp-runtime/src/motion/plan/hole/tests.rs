@@ -340,6 +340,12 @@ impl TracedPath {
     }
 }
 
+/// Decimals of the pitch of a control.
+fn pitch_decimals(control: &dyn Control) -> (u32, u32) {
+    let formats = &control.spellings().formats;
+    (formats.pitch_mm, formats.pitch_inch)
+}
+
 /// Path of a program on a control, without intermediate stops of rapids along Z.
 fn path(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Vec<([i64; 3], bool)>, Vec<CannedCycle>) {
     struct Steps(TracedPath, bool);
@@ -354,7 +360,8 @@ fn path(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Ve
             Ok(())
         }
     }
-    let config = set_up(output);
+    let mut config = set_up(output);
+    (config.formats.pitch_mm, config.formats.pitch_inch) = pitch_decimals(control);
     let returns = crate::control::abilities(control, config.demands()).cycles.returns_to_any_level;
     let mut steps = Steps(TracedPath::default(), returns);
     let (diagnostics, _) = plan::<Xyz>(control, &config, events, &mut steps);
@@ -410,18 +417,20 @@ fn the_pitch_of_a_thread_has_the_digits_of_the_control() {
     assert!((pitch(&Siemens, eighteen) - 1.411_111).abs() < 1e-9);
     assert!((pitch(&Heidenhain, eighteen) - 1.4111).abs() < 1e-9);
     let events = after_cut([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(0.0103) }, 2.0, None)]);
+    let mut config = set_up(CycleOutput::Native);
+    (config.formats.pitch_mm, config.formats.pitch_inch) = pitch_decimals(&Heidenhain);
     let refused = |control: &dyn Control| {
-        let (found, _) = plan::<Xyz>(control, &set_up(CycleOutput::Native), &events, &mut crate::motion::DiscardSteps);
+        let (found, _) = plan::<Xyz>(control, &config, &events, &mut crate::motion::DiscardSteps);
         found.into_iter().find(|found| found.severity == Severity::Error).map(|found| found.text)
     };
     assert_eq!(refused(&Heidenhain), None);
     let events = after_cut([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(0.010_33) }, 2.0, None)]);
-    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::DiscardSteps);
+    let (found, _) = plan::<Xyz>(&Heidenhain, &config, &events, &mut crate::motion::DiscardSteps);
     assert!(found[0].text.contains("and that of its rounded words"), "{found:?}");
     // 1.25 mm in inches: with four decimals 1.249 68 mm would be cut.
     let events =
         after_cut([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(1.25 / 25.4) }, 2.0, None)]);
-    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::DiscardSteps);
+    let (found, _) = plan::<Xyz>(&Heidenhain, &config, &events, &mut crate::motion::DiscardSteps);
     assert!(found[0].text.contains("and that of its rounded words"), "{found:?}");
 }
 
