@@ -20,8 +20,8 @@
 (the entries of C and B in G54 must be zero)
 (T12 DIA 0.375 R0 L4.75 H12, 1 operation, tip Z -0.2227 to 2.8269)
 (ASSUMED work offset G54)
-(ASSUMED retract to machine coordinate 0 mm)
-(ASSUMED approach distance 50 mm along the tool axis)
+(ASSUMED retract to machine coordinate 0 in)
+(ASSUMED approach distance 1.968504 in along the tool axis)
 (OPERATION KEYWAY)
 N1 G20 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.000394
 M9

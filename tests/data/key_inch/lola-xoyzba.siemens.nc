@@ -19,8 +19,8 @@
 ; T12 DIA 0.375 R0 L4.75 D1, 1 operation, tip Z -0.2227 to 2.8269
 ; T12 posted with L = 4.75: D1 must hold exactly this
 ; ASSUMED work offset G54
-; ASSUMED retract to machine coordinate 0 mm
-; ASSUMED approach distance 50 mm along the tool axis
+; ASSUMED retract to machine coordinate 0 in
+; ASSUMED approach distance 1.968504 in along the tool axis
 MSG("KEYWAY")
 N1 TRAFOOF
 CYCLE800()

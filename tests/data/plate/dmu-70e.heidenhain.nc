@@ -25,8 +25,8 @@
 24 ; the entries of C and B in preset 1 must be zero
 25 ; T3 DIA 0.25 L4, 1 operation, tip Z -0.4 to 1
 26 ; ASSUMED work offset preset 1
-27 ; ASSUMED retract to machine coordinate 0 mm
-28 ; ASSUMED approach distance 50 mm along the tool axis
+27 ; ASSUMED retract to machine coordinate 0 in
+28 ; ASSUMED approach distance 1.968504 in along the tool axis
 29 ; ASSUMED F is in 1/10 inch/min, in cycles (Q206) as well
 30 M129
 31 PLANE RESET STAY

@@ -21,8 +21,8 @@
 (the entries of C and B in G54 must be zero)
 (T3 DIA 0.25 L4 H3, 1 operation, tip Z -0.4 to 1)
 (ASSUMED work offset G54)
-(ASSUMED retract to machine coordinate 0 mm)
-(ASSUMED approach distance 50 mm along the tool axis)
+(ASSUMED retract to machine coordinate 0 in)
+(ASSUMED approach distance 1.968504 in along the tool axis)
 N1 G20 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.000394
 M9
 G53 G0 Z0

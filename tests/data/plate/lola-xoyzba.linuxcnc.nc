@@ -20,8 +20,8 @@
 (T3 DIA 0.25 L4 H3, 1 operation, tip Z -0.4 to 1)
 (T3 posted with L = 4: H3 must hold exactly this)
 (ASSUMED work offset G54)
-(ASSUMED retract to machine coordinate 0 mm)
-(ASSUMED approach distance 50 mm along the tool axis)
+(ASSUMED retract to machine coordinate 0 in)
+(ASSUMED approach distance 1.968504 in along the tool axis)
 N1 G20 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.000394
 M9
 G53 G0 Z0
