@@ -575,23 +575,27 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let fits = |units: Units| needed(units).is_some_and(|decimals| decimals <= formats.pitch_decimals(units));
         let units = self.planner.mover.placer().units();
         if self.is_pitch_from_feed() {
-            let revolution = if self.planner.abilities.cycles.tap_per_revolution && fits(units) {
-                "set `thread_feed = \"revolution\"` in `[cycles]`: F is then the pitch; or "
-            } else {
-                ""
-            };
             let decimals = feeds.decimals_within(pitch_mm * speed.value(), share).unwrap_or(MOST_DECIMALS);
             let key = feed_key(units);
-            return format!("{revolution}give F more decimals: `{key} = {decimals}` in `[formats]`");
+            if self.planner.abilities.cycles.tap_per_revolution && fits(units) {
+                return format!(
+                    "set `thread_feed = \"revolution\"` in `[cycles]`: F is then the pitch; or give F more decimals: `{key} = {decimals}` in `[formats]`"
+                );
+            }
+            return format!("give F more decimals: `{key} = {decimals}` in `[formats]`");
         }
         let (other, key) = match units {
             Units::Millimetres => (Units::Inches, "pitch_mm"),
             Units::Inches => (Units::Millimetres, "pitch_inch"),
         };
-        let name = other.name();
-        let unit = if fits(other) { format!("set `output_units = \"{name}\"`; or ") } else { String::new() };
         let decimals = needed(units).unwrap_or(MOST_DECIMALS);
-        format!("{unit}give the pitch more decimals, if the control takes them: `{key} = {decimals}` in `[formats]`")
+        if fits(other) {
+            let name = other.name();
+            return format!(
+                "set `output_units = \"{name}\"`; or give the pitch more decimals, if the control takes them: `{key} = {decimals}` in `[formats]`"
+            );
+        }
+        format!("give the pitch more decimals, if the control takes them: `{key} = {decimals}` in `[formats]`")
     }
 
     /// Writes the hole by its cycle.
