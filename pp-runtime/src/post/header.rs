@@ -257,6 +257,31 @@ pub(crate) fn set_up(machine: &dyn AnyMachine, control: &dyn Control, config: &C
     list
 }
 
+/// Conditions on the states of the control, one sentence each.
+pub(crate) fn conditions(
+    machine: &dyn AnyMachine,
+    control: &dyn Control,
+    config: &Config,
+    survey: &Survey,
+) -> Vec<String> {
+    let rotary = machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held);
+    let native = config.motion.cycles.output == CycleOutput::Native && config.motion.lift_mm.is_none();
+    let uses = ProgramUses {
+        rotary,
+        tip_control: survey.modes.has(StretchMode::Tcp),
+        planes: survey.modes.has(StretchMode::Plane),
+        compensation: config.motion.compensation.is_some(),
+        cycles: native && survey.holes,
+        offset_guard: control::abilities(control, config.demands()).guards_offset,
+        length_guard: config.motion.guards.length_guard == Some(true),
+    };
+    let mut list = control::conditions(control, &config.control, &uses);
+    if rotary && config.control.tip_control == Some(TipControlSwitch::None) {
+        list.push("the control has no kinematics with tip control in force, from its start".to_owned());
+    }
+    list
+}
+
 /// Unit of the program.
 fn units_of(config: &Config, survey: &Survey) -> Units {
     config.output_units.or(survey.file.units).unwrap_or_default()
