@@ -301,23 +301,6 @@ fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &AxisPosition, motion: &M
     Ok(map * (motion.pose.tip - from.pose.tip))
 }
 
-/// Where D holds the radius, refuses a lead-in that is shorter: it leaves no path to the contour.
-fn check_length<S: Sink>(planner: &Planner<'_, S>, length_mm: f64) -> Result<(), Fault> {
-    let policy = planner.policy;
-    let given = planner.tooling.current().and_then(|tool| policy.set_up.tools.get(&tool.number));
-    let diameter = given.and_then(|tool| tool.diameter_mm);
-    let radius = diameter.filter(|_| policy.options.compensation == Some(CutterPath::Contour)).map(|d| 0.5 * d);
-    match radius.filter(|radius| length_mm < *radius) {
-        Some(radius) => Err(Fault::new(format_args!(
-            "compensation begins with a line {} long, shorter than the tool radius of {}",
-            planner.mover.placer().units().length(length_mm),
-            planner.mover.placer().units().length(radius)
-        ))
-        .help("make the lead-in longer than the radius")),
-        None => Ok(()),
-    }
-}
-
 /// Delta of the radius in a tool call: takes the radius off where the path is that of the tool centre, and the control takes
 /// the radius of the tool itself.
 pub(crate) fn radius_delta<S: Sink>(planner: &Planner<'_, S>, tool: &LoadedTool) -> Result<Option<f64>, Fault> {
