@@ -83,6 +83,8 @@ fn configured<M: Machine>(control: &str, mode: Mode, set_up: &str) -> (&'static 
     let set_up = format!("defaults = {{ speed = 2000, direction = \"CLW\" }}\n{set_up}");
     let mut config = crate::config::starting_point(control).read_over(&M::default(), &set_up).expect("a configuration");
     config.motion.mode = mode;
+    // Its blocks are those of the control.
+    config.motion.guards.offset_guard = false;
     config.given.insert("part_origin");
     (control, config)
 }

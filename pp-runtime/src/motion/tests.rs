@@ -145,7 +145,10 @@ pub(super) fn spindle() -> Event<'static> {
 }
 
 pub(super) fn config() -> Config {
-    Config::default()
+    let mut config = Config::default();
+    // Its blocks are those of the control.
+    config.motion.guards.offset_guard = false;
+    config
 }
 
 fn with_lengths(distance: Option<f64>) -> Config {

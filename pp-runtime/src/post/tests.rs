@@ -37,6 +37,10 @@ FINI
 ";
 
 fn posted<M: Machine>(config: &Config, text: &str) -> (String, Report) {
+    let mut config = config.clone();
+    // Its blocks are those of the control.
+    config.motion.guards.offset_guard = false;
+    let config = &config;
     let job = Job { cl_name: "bracket.cls", config, control: &LinuxCnc, units: None };
     let mut out = Vec::new();
     let report = post::<M>(&job, &mut Cursor::new(text.as_bytes()), &mut out).expect("memory neither fails nor fills");

@@ -11,7 +11,7 @@ use tests::foreign::state::{
 };
 use tests::foreign::{self, Control, Effect, Options, Trace};
 use tests::linuxcnc::{self, interpreter};
-use tests::posting::{bare, findings, posted, renumbered};
+use tests::posting::{bare, findings, posted, renumbered, written};
 
 /// Two tools, a tilted tool axis, an arc, and holes.
 const DATA: &str = "UNITS/MM
@@ -312,4 +312,19 @@ fn an_axis_that_rolls_over_has_its_direction_in_each_word_of_siemens() {
     let found =
         findings::<SpinnerU5620>(&self::config("siemens", ""), control, DATA, &plain.replacen("C0", "C=DC(0)", 1));
     assert!(found.iter().any(|text| text.contains("DC(")), "{found:?}");
+}
+
+#[test]
+fn conditions_on_the_control_are_in_the_header_of_the_program() {
+    for control in Control::ALL {
+        let name = control.name();
+        let (program, report) =
+            written::<SpinnerU5620>(&config(name, ""), tests::by_name::control(name), DATA).expect("it can run");
+        assert!(!report.conditions.is_empty(), "{name}");
+        let letters = |text: &str| text.chars().filter(char::is_ascii_alphanumeric).collect::<String>();
+        let header = letters(&bare(&program).concat());
+        for condition in &report.conditions {
+            assert!(header.contains(&letters(&format!("CONDITION {condition}"))), "{name}: {condition}\n{program}");
+        }
+    }
 }

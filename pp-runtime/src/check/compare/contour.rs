@@ -104,13 +104,15 @@ impl Comparison<'_> {
     }
 
     fn no_fit_text(&self, no_fit: NoFit, (radius, index): (f64, usize), begins: bool) -> String {
+        let units = self.rules.units();
+        let radius = units.length(radius);
         let tool = match (self.rules.policy().shop.compensated_centre, index) {
-            (false, _) => format!("the tool radius of {radius:.3} mm"),
-            (true, 0) => format!("a wear of {radius:.3} mm"),
-            (true, _) => format!("a wear of -{radius:.3} mm"),
+            (false, _) => format!("the tool radius of {radius}"),
+            (true, 0) => format!("a wear of {radius}"),
+            (true, _) => format!("a wear of -{radius}"),
         };
         match no_fit {
-            NoFit::Arc(arc) => format!("{tool} does not fit into this arc with a radius of {arc:.3} mm"),
+            NoFit::Arc(arc) => format!("{tool} does not fit into this arc with a radius of {}", units.length(arc)),
             NoFit::Straight(turn) => {
                 let (degrees, line) = (turn.abs().to_degrees(), self.contour.last_line);
                 format!(
@@ -123,11 +125,12 @@ impl Comparison<'_> {
                     true => format!("the motion of CL line {}", self.contour.last_line),
                     false => "this motion".to_owned(),
                 };
-                format!("offset by {tool}, {which} has {has:.3} mm, and loses {loses:.3} mm in its corners")
+                let (has, loses) = (units.length(has), units.length(loses));
+                format!("offset by {tool}, {which} has {has}, and loses {loses} in its corners")
             }
             NoFit::Line(has) => {
                 let verb = if begins { "begins" } else { "ends" };
-                format!("compensation {verb} with a line of {has:.3} mm, no longer than {tool}")
+                format!("compensation {verb} with a line of {}, no longer than {tool}", units.length(has))
             }
         }
     }

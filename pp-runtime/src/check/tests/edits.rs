@@ -71,7 +71,7 @@ fn what_is_not_permitted_is_told_whatever_the_list_says() {
         ("fanuc", "Q4.", "Q5."),
         ("fanuc", "G4 P1000", "G4 P500"),
         ("heidenhain", "Q202=+4", "Q202=+5"),
-        ("siemens", "G17", "G18"),
+        ("siemens", "G710 G17", "G710 G18"),
     ];
     for (control, old, new) in edits {
         let program = posted_right::<Mill>(control, Mode::Axes, SET_UP, DATA);

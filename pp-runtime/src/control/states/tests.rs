@@ -1,7 +1,8 @@
 //! Rows of the table, their reasons, and what the check asks for beside them.
 
-use super::{StateHandling, from_memory, of};
+use super::{ProgramUses, StateHandling, conditions, from_memory, of};
 use crate::control::CONTROLS;
+use crate::control::options::{ControlFunction, ControlOptions};
 
 /// Most rows of a control that are from memory.
 const MOST_FROM_MEMORY: usize = 8;
@@ -46,6 +47,46 @@ fn codes_that_the_table_sets_are_in_the_blocks_of_a_restart_point() {
                     assert!(reset || offset || cancel, "{}: {code}", codes.name);
                 }
                 _ => {}
+            }
+        }
+    }
+}
+
+#[test]
+fn what_no_word_code_or_guard_deals_with_is_a_condition() {
+    let uses = |on: bool| ProgramUses {
+        rotary: true,
+        tip_control: true,
+        planes: true,
+        compensation: true,
+        cycles: true,
+        offset_guard: on,
+        length_guard: on,
+    };
+    let options = |functions: &[ControlFunction]| ControlOptions {
+        functions: Some(functions.to_vec()),
+        ..ControlOptions::default()
+    };
+    for control in CONTROLS {
+        let name = control.spellings().name;
+        let stated = |functions: &[ControlFunction], guards: bool| {
+            conditions(*control, &options(functions), &uses(guards)).join("\n")
+        };
+        let (bare, guarded) = (stated(&[], false), stated(&[], true));
+        for row in of(name) {
+            match row.by {
+                StateHandling::Stated(condition) => assert!(guarded.contains(condition), "{name}: {condition}"),
+                StateHandling::Compared(_, condition) => {
+                    assert!(bare.contains(condition) && !guarded.contains(condition), "{name}: {condition}");
+                }
+                StateHandling::SetWhere(function, code) => {
+                    // Planes that a program uses are ended whatever is listed.
+                    let usual = control.spellings().cancels.iter().any(|cancel| cancel.of == function);
+                    let planes = function == ControlFunction::Planes && !usual;
+                    assert!(planes || bare.contains(row.name), "{name}: {code}");
+                    assert!(!stated(&[function], true).contains(row.name), "{name}: {code}");
+                }
+                StateHandling::InWord(_) | StateHandling::Set(_) | StateHandling::Noted(_) => {}
             }
         }
     }

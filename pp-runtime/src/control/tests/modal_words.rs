@@ -31,7 +31,7 @@ fn everything_is_written_again_after_a_restart_a_stop_and_a_block_of_the_cl_data
     }
     assert_eq!(
         steps(&LinuxCnc, &layout(), &[feed, Step::Restart { number: 7, changes_tool: false }, feed]),
-        ["G94 G1 X0 Z0 A0 C0 F100", "N7 G21 G17 G40 G49 G80 G90 G91.1 G94 G55 G64 P0.01", "G1 X0 Z0 A0 C0 F100"]
+        ["G94 G1 X0 Z0 A0 C0 F100", "N7 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G55 G64 P0.01", "G1 X0 Z0 A0 C0 F100"]
     );
 }
 

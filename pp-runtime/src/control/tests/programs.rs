@@ -55,6 +55,7 @@ fn siemens_calls_the_edge_again_after_machine_coordinates_and_separates_long_nam
             "MSG(\"Face 1\")",
             "N1 TRAFOOF",
             "CYCLE800()",
+            "TRANS",
             "G710 G17 G40 G64 G90 G94 G55",
             "M9",
             "SUPA G0 Z0 D0",

@@ -25,7 +25,7 @@ fn two_tools_go_through_every_step_of_the_safe_sequence_one_block_each() {
         lines::<Cb>(&config, &events),
         [
             "(OPERATION ROUGH)",
-            "N1 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01",
+            "N1 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01",
             "M9",
             "G53 G0 Z0",
             "T1 M6",
@@ -42,7 +42,7 @@ fn two_tools_go_through_every_step_of_the_safe_sequence_one_block_each() {
             "M9",
             "G0 Z19",
             "(OPERATION FINISH)",
-            "N2 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01",
+            "N2 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01",
             "M9",
             "G53 G0 Z0",
             "M5",
@@ -103,7 +103,7 @@ fn the_same_tool_is_not_changed_yet_the_sequence_is_written() {
     assert_eq!(
         &lines[11..],
         [
-            "N2 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01",
+            "N2 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01",
             "M9",
             "G53 G0 Z0",
             "(T1 stays in the spindle)",
@@ -136,7 +136,7 @@ fn a_stop_retracts_first_and_starts_with_every_word_again() {
     assert_eq!(
         lines[stop + 1..stop + 11],
         [
-            "N2 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01",
+            "N2 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01",
             "M9",
             "G53 G0 Z0",
             "(T1 stays in the spindle)",
@@ -231,7 +231,7 @@ fn a_direct_transition_continues_from_the_end_of_the_operation_but_never_over_a_
     let next = lines.iter().position(|line| line == "(OPERATION NEXT)").expect("the operation");
     assert_eq!(
         lines[next + 1..next + 7],
-        ["X5", "N2 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01", "M9", "G53 G0 Z0", "M5", "T2 M6"]
+        ["X5", "N2 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01", "M9", "G53 G0 Z0", "M5", "T2 M6"]
     );
 }
 

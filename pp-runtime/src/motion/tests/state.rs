@@ -279,7 +279,7 @@ fn nc_text_and_codes_leave_nothing_in_force() {
         let events = [tool(1), spindle(), feed([0.0; 3], UP), event, feed([0.0, 0.0, 1.0], UP)];
         let lines = lines::<Cb>(&config(), &events);
         let at = lines.iter().position(|line| line == block).expect("as it stands");
-        assert!(lines[at + 1].starts_with("N2 G21 G17 G40"), "{lines:?}");
+        assert!(lines[at + 1].starts_with("N2 G21 G8 G17 G40"), "{lines:?}");
         assert!(lines[at..].iter().any(|line| line == "S8000 M3"));
     }
 }

@@ -30,7 +30,8 @@ fn job<'a>(config: &'a Config, control: &'a dyn Control) -> Job<'a> {
 
 #[test]
 fn the_checked_program_is_the_posted_one() {
-    let config = Config::default();
+    let mut config = Config::default();
+    config.motion.guards.offset_guard = false;
     let (text, report) = posted::<Cb>(&config, PART);
     // The CL data may begin after something else.
     let mut input = Cursor::new(format!("GARBAGE/1{PART}"));

@@ -15,7 +15,7 @@ fn a_program_ends_with_its_end_code_and_has_no_fault() {
     assert_eq!(
         blocks(&text)[..11],
         [
-            "N1 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01",
+            "N1 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01",
             "M9",
             "G53 G0 Z0",
             "T1 M6",
@@ -160,7 +160,7 @@ fn blocks_of_the_configuration_come_after_the_header_and_before_the_end() {
     let (text, _) = posted::<Cb>(&config, PART);
     assert_eq!(
         blocks(&text)[..3],
-        ["G64 P0.01", "(OPERATION ROUGH)", "N5 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01"]
+        ["G64 P0.01", "(OPERATION ROUGH)", "N5 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01"]
     );
     assert!(text.contains("M64 P0\nN"), "{text}");
 }

@@ -95,7 +95,7 @@ pub(super) struct Interpreter {
     motion: MotionModes,
     /// Bits of [`stated`], since a complete state began.
     stated: u8,
-    /// Bits of [`settled`], since the last cut: those before the block that begins a complete state belong to it.
+    /// Bits of [`settled`], since the last motion: those before the block that begins a complete state belong to it.
     settled: u32,
     frames: Frames,
 }
@@ -272,7 +272,7 @@ impl Interpreter {
         (block.known_before, block.stated) = (self.known, self.stated);
         self.set_feed(feed);
         block.action = self.moving(motion, block);
-        self.settled = 0;
+        self.note_motion(&block.action);
         if self.facts.stops_spindle(&block.action) {
             self.stated &= !stated::SPINDLE;
             block.stated = self.stated;
@@ -330,9 +330,7 @@ impl Interpreter {
         if let Some(act) = orders.acts.get(step) {
             block.values = self.values;
             block.action = self.carry_out(act, block);
-            if block.action.cuts() {
-                self.settled = 0;
-            }
+            self.note_motion(&block.action);
             machine_values = block.action.leaves_words().then_some(block.values);
         }
         if self.frames.unknown != 0 {
@@ -352,6 +350,14 @@ impl Interpreter {
         block.values = machine_values.unwrap_or(self.values);
         block.known = self.known;
         block.state = self.state;
+    }
+
+    /// After a motion in the program, what was settled before it is no part of a complete state to come.
+    #[inline]
+    fn note_motion(&mut self, action: &Action) {
+        if action.moves() && !action.leaves_words() {
+            self.settled = 0;
+        }
     }
 
     fn carry_out(&mut self, act: &Act, block: &mut Block) -> Action {

@@ -143,17 +143,20 @@ enum Lead {
 fn fault<S: Sink>(planner: &Planner<'_, S>, index: usize, lead: Lead, misfit: OffsetMisfit) -> Fault {
     let Offsets { left_mm, last_line, .. } = &planner.cutter.offsets;
     let by_mm = left_mm[index].unwrap_or_default().abs();
+    let units = planner.mover.placer().units();
+    let shown = units.length(by_mm);
     let of_centre = planner.policy.options.compensation == Some(CutterPath::Centre);
     let by = match (of_centre, index) {
-        (false, _) => format!("the tool radius of {by_mm:.3} mm"),
-        (true, 0) => format!("a wear of {by_mm:.3} mm"),
-        (true, _) => format!("a wear of -{by_mm:.3} mm"),
+        (false, _) => format!("the tool radius of {shown}"),
+        (true, 0) => format!("a wear of {shown}"),
+        (true, _) => format!("a wear of -{shown}"),
     };
     let fault = match misfit {
         OffsetMisfit::ShortLead { length_mm } => {
             let than = if length_mm < by_mm { "shorter than" } else { "no longer than" };
             let (verb, name) = if lead == Lead::In { ("begins", "lead-in") } else { ("ends", "lead-out") };
-            let text = format!("compensation {verb} with a line {length_mm:.3} mm long, {than} {by}");
+            let length = units.length(length_mm);
+            let text = format!("compensation {verb} with a line {length} long, {than} {by}");
             return Fault::new(text).help(match (of_centre, lead) {
                 (true, _) => format!("make the {name} longer than `compensation.largest_wear`"),
                 (false, Lead::In) => "make the lead-in longer than the radius".to_owned(),
@@ -161,7 +164,8 @@ fn fault<S: Sink>(planner: &Planner<'_, S>, index: usize, lead: Lead, misfit: Of
             });
         }
         OffsetMisfit::InnerArc { radius_mm } => {
-            Fault::new(format_args!("{by} does not fit into this arc with a radius of {radius_mm:.3} mm"))
+            let radius = units.length(radius_mm);
+            Fault::new(format_args!("{by} does not fit into this arc with a radius of {radius}"))
         }
         OffsetMisfit::StraightCorner { corner_rad } => {
             let degrees = corner_rad.abs().to_degrees();
@@ -180,8 +184,9 @@ fn fault<S: Sink>(planner: &Planner<'_, S>, index: usize, lead: Lead, misfit: Of
                 true => format!("the motion of line {last_line}"),
                 false => "this motion".to_owned(),
             };
+            let (length, trim) = (units.length(length_mm), units.length(trim_mm));
             Fault::new(format_args!(
-                "offset by {by}, {which} would be {length_mm:.3} mm long, and its corners would take {trim_mm:.3} mm of it"
+                "offset by {by}, {which} would be {length} long, and its corners would take {trim} of it"
             ))
         }
     };
