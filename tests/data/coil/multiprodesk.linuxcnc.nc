@@ -17,8 +17,14 @@
 (G55 must hold X-180 Y-95 Z-310)
 (the entries of A in G55 must be zero)
 (T4 DIA 4 R2 L92.3 H4, 1 operation, tip Z -18.388 to 47.342)
+(CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool is in spindle 0)
+(ASSUMED the control has no kinematics with tip control in force, from its start [`control.tip_control`])
 (OPERATION COIL)
-N1 G21 G17 G40 G49 G80 G90 G91.1 G94 G55 G64 P0.01
+N1 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G55 G64 P0.01
+o1000001 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000001 endif
 M9
 G53 G0 Z-5
 T4 M6

@@ -20,12 +20,24 @@
 ; the entries of C and B in G54 must be zero
 ; T5 DIA 16 R0 L132.5 D1, 3 operations, tip Z -13.517 to 58.514
 ; T6 DIA 6 R0 L97.25 D1, 1 operation, tip Z -4.281 to 61.011
+; CONDITION the edges of the tools have their lengths (length 1)
+; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
+; CONDITION the control is in Siemens mode (G290)
+; CONDITION X is a radius (DIAMOF)
+; CONDITION the tool is in the master spindle
+; CONDITION no CYCLE832 of a program before is in force
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
 ; ASSUMED approach distance 50 mm along the tool axis
 N1 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 T5
@@ -59,7 +71,13 @@ M5
 M0
 N2 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 ; T5 stays in the spindle
@@ -76,7 +94,13 @@ G0 Z85.809
 M9
 N3 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 M5
@@ -97,7 +121,13 @@ G0 Z70.326
 M9
 N4 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 M5

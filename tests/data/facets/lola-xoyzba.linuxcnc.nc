@@ -20,10 +20,16 @@
 (T5 posted with L = 132.5: H5 must hold exactly this)
 (T6 DIA 6 R0 L97.25 H6, 1 operation, tip Z -4.281 to 61.011)
 (T6 posted with L = 97.25: H6 must hold exactly this)
+(CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool is in spindle 0)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
-N1 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+(ASSUMED the control has no kinematics with tip control in force, from its start [`control.tip_control`])
+N1 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000001 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000001 endif
 M9
 G53 G0 Z0
 T5 M6
@@ -55,7 +61,10 @@ M9
 G53 G0 Z0
 M5
 M0
-N2 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N2 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000002 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000002 endif
 M9
 G53 G0 Z0
 (T5 stays in the spindle)
@@ -73,7 +82,10 @@ X21.178 Y-89.498 Z-18.529 F850
 X38.197 Y-83.638
 G0 X46.672 Y-108.251 Z39.938
 M9
-N3 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N3 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000003 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000003 endif
 M9
 G53 G0 Z0
 M5
@@ -93,7 +105,10 @@ X-52.659 Y-10.745 Z-6.586 F850
 X-46.503 Y-27.659
 G0 X-59.52 Y-32.397 Z55.897
 M9
-N4 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N4 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000004 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000004 endif
 M9
 G53 G0 Z0
 M5

@@ -20,10 +20,16 @@
 (the entries of C and B in G54 must be zero)
 (T5 DIA 16 R0 L132.5 H5, 3 operations, tip Z -13.517 to 58.514)
 (T6 DIA 6 R0 L97.25 H6, 1 operation, tip Z -4.281 to 61.011)
+(CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool is in spindle 0)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
-N1 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+(ASSUMED the control has no kinematics with tip control in force, from its start [`control.tip_control`])
+N1 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000001 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000001 endif
 M9
 G53 G0 Z0
 T5 M6
@@ -52,7 +58,10 @@ M9
 G53 G0 Z0
 M5
 M0
-N2 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N2 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000002 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000002 endif
 M9
 G53 G0 Z0
 (T5 stays in the spindle)
@@ -67,7 +76,10 @@ X98.259 F850
 Y8.886
 G0 Z85.809
 M9
-N3 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N3 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000003 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000003 endif
 M9
 G53 G0 Z0
 M5
@@ -84,7 +96,10 @@ X64.741 F850
 Y10.086
 G0 Z70.326
 M9
-N4 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N4 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000004 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000004 endif
 M9
 G53 G0 Z0
 M5

@@ -20,9 +20,15 @@
 (the entries of C and B in G57 must be zero)
 (T21 bull 12 DIA 12 R1 L120.25 H21, 1 operation, tip Z -9.4 to 0.521)
 (T22 DIA 12 R1 L96.5 H52, 1 operation, tip Z -3.3 to -1.375)
+(CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool is in spindle 0)
 (ASSUMED retract to machine coordinate 0 mm)
+(ASSUMED the control has no kinematics with tip control in force, from its start [`control.tip_control`])
 (OPERATION SOUTH)
-N1 G21 G17 G40 G49 G80 G90 G91.1 G94 G57 G64 P0.01
+N1 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G57 G64 P0.01
+o1000001 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000001 endif
 M9
 G53 G0 Z0
 (T21 bull 12)
@@ -51,7 +57,10 @@ Z39.821
 M9
 G0 Z114.821
 (OPERATION NORTH)
-N2 G21 G17 G40 G49 G80 G90 G91.1 G94 G57 G64 P0.01
+N2 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G57 G64 P0.01
+o1000002 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000002 endif
 M9
 G53 G0 Z0
 M5

@@ -19,10 +19,16 @@
 (the entries of B and A in G54 must be zero)
 (T3 DIA 0.25 L4 H3, 1 operation, tip Z -0.4 to 1)
 (T3 posted with L = 4: H3 must hold exactly this)
+(CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool is in spindle 0)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 in)
 (ASSUMED approach distance 1.968504 in along the tool axis)
-N1 G20 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.000394
+(ASSUMED the control has no kinematics with tip control in force, from its start [`control.tip_control`])
+N1 G20 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.000394
+o1000001 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000001 endif
 M9
 G53 G0 Z0
 T3 M6

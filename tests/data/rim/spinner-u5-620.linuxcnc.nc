@@ -19,10 +19,16 @@
 (valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again)
 (the entries of C and B in G54 must be zero)
 (T7 DIA 8 L84.3 H7, 1 operation, tip Z -4.2 to 54.606)
+(CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool is in spindle 0)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
-N1 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+(ASSUMED the control has no kinematics with tip control in force, from its start [`control.tip_control`])
+N1 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000001 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000001 endif
 M9
 G53 G0 Z0
 T7 M6

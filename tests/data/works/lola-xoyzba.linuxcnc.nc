@@ -25,11 +25,17 @@
 (T2 posted with L = 130: H2 must hold exactly this)
 (T3 DIA 6 L95 H3, 1 operation, tip Z -10 to 25)
 (T3 posted with L = 95: H3 must hold exactly this)
+(CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool is in spindle 0)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
+(ASSUMED the control has no kinematics with tip control in force, from its start [`control.tip_control`])
 (OPERATION ARCS)
-N1 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N1 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000001 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000001 endif
 M9
 G53 G0 Z0
 T1 M6
@@ -58,7 +64,10 @@ G53 G0 Z0
 M5
 M1
 (OPERATION TILTED)
-N2 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N2 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000002 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000002 endif
 M9
 G53 G0 Z0
 (T1 stays in the spindle)
@@ -115,7 +124,10 @@ X36.039 Y34.494 Z26.486
 M9
 G0 X55.434 Y50.829 Z80.865
 (OPERATION HOLES)
-N3 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N3 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000003 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000003 endif
 M9
 G53 G0 Z0
 M5
@@ -187,7 +199,10 @@ G53 G0 Z0
 M5
 M0
 (OPERATION SWARF)
-N4 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N4 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000004 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000004 endif
 M9
 G53 G0 Z0
 T1 M6
@@ -349,7 +364,10 @@ G0 X77.846 Y46.925 Z11.063
 M9
 X100.197 Y60.399 Z65.089
 (OPERATION THREAD)
-N5 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N5 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000005 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000005 endif
 M9
 G53 G0 Z0
 M5

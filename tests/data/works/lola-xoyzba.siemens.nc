@@ -25,13 +25,25 @@
 ; T2 posted with L = 130: D1 must hold exactly this
 ; T3 DIA 6 L95 D1, 1 operation, tip Z -10 to 25
 ; T3 posted with L = 95: D1 must hold exactly this
+; CONDITION the edges of the tools have their lengths (length 1)
+; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
+; CONDITION the control is in Siemens mode (G290)
+; CONDITION X is a radius (DIAMOF)
+; CONDITION the tool is in the master spindle
+; CONDITION no CYCLE832 of a program before is in force
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
 ; ASSUMED approach distance 50 mm along the tool axis
 MSG("ARCS")
 N1 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 T1
@@ -66,7 +78,13 @@ M1
 MSG("TILTED")
 N2 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 ; T1 stays in the spindle
@@ -127,7 +145,13 @@ G0 X55.434 Y50.829 Z80.865
 MSG("HOLES")
 N3 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 M5
@@ -205,7 +229,13 @@ M0
 MSG("SWARF")
 N4 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 T1
@@ -373,7 +403,13 @@ X100.197 Y60.399 Z65.089
 MSG("THREAD")
 N5 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 M5

@@ -22,11 +22,17 @@
 (T1 DIA 10 R0 L110 H1, 3 operations, tip Z -35.818 to 45.394)
 (T2 DIA 5 L130 H2, 1 operation, tip Z -8.509 to 29.729)
 (T3 DIA 6 L95 H3, 1 operation, tip Z -10 to 25)
+(CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool is in spindle 0)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
+(ASSUMED the control has no kinematics with tip control in force, from its start [`control.tip_control`])
 (OPERATION ARCS)
-N1 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N1 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000001 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000001 endif
 M9
 G53 G0 Z0
 T1 M6
@@ -52,7 +58,10 @@ G53 G0 Z0
 M5
 M1
 (OPERATION TILTED)
-N2 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N2 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000002 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000002 endif
 M9
 G53 G0 Z0
 (T1 stays in the spindle)
@@ -71,7 +80,10 @@ Z34.45
 M9
 G0 Z94.45
 (OPERATION HOLES)
-N3 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N3 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000003 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000003 endif
 M9
 G53 G0 Z0
 M5
@@ -105,7 +117,10 @@ G53 G0 Z0
 M5
 M0
 (OPERATION SWARF)
-N4 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N4 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000004 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000004 endif
 M9
 G53 G0 Z0
 T1 M6
@@ -173,7 +188,10 @@ G0 Z12.385
 M9
 Z72.385
 (OPERATION THREAD)
-N5 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N5 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000005 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000005 endif
 M9
 G53 G0 Z0
 M5

@@ -13,7 +13,7 @@ use std::io::Cursor;
 use nalgebra::Vector3;
 use pp_runtime::check::read::{Action, ArcMove, Block, CycleKind, CycleMove, FeedMode, Side, State, TipControl};
 use pp_runtime::check::{blocks, check};
-use pp_runtime::config::{Config, Operations, TcpWords, Units, starting_point};
+use pp_runtime::config::{Config, Mode, Operations, TcpWords, Units, starting_point};
 use pp_runtime::control::Control;
 use pp_runtime::kinematics::{AxisKind, Machine};
 use pp_runtime::post::{self, post};
@@ -260,9 +260,9 @@ fn pose_difference<M: Machine>(
     let all = (1_u16 << M::AXES.len()) - 1;
     let unit = 1e-3 * config.output_units.map_or(1.0, |units| if units.in_mm() > 1.0 { 2.54 } else { 1.0 });
     if was.action == Action::Machine || was.known != all || is.known != all {
-        // With programmed tool vectors, rotary axes may have any position that gives the same tool axis.
-        let free = config.motion.tip.tcp_words == TcpWords::Vectors
-            && (pose::<M>(config, was).1 - pose::<M>(config, is).1).norm() < 1e-5;
+        // Rotary axes may have any position that gives the same tool axis where tool vectors are programmed, or tip control follows.
+        let tcp = config.motion.tip.tcp_words == TcpWords::Vectors || config.motion.mode == Mode::Tcp;
+        let free = tcp && (pose::<M>(config, was).1 - pose::<M>(config, is).1).norm() < 1e-5;
         let counts = |index: &usize| !free || M::AXES.get(*index).is_none_or(|axis| axis.kind == AxisKind::Linear);
         let off = (0..was.values.len()).filter(counts).map(|index| (was.values[index] - is.values[index]).abs());
         let off = off.fold(0.0, f64::max);

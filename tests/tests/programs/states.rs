@@ -321,7 +321,7 @@ fn conditions_on_the_control_are_in_the_header_of_the_program() {
         let (program, report) =
             written::<SpinnerU5620>(&config(name, ""), tests::by_name::control(name), DATA).expect("it can run");
         assert!(!report.conditions.is_empty(), "{name}");
-        let letters = |text: &str| text.chars().filter(char::is_ascii_alphanumeric).collect::<String>();
+        let letters = |text: &str| text.to_uppercase().chars().filter(char::is_ascii_alphanumeric).collect::<String>();
         let header = letters(&bare(&program).concat());
         for condition in &report.conditions {
             assert!(header.contains(&letters(&format!("CONDITION {condition}"))), "{name}: {condition}\n{program}");

@@ -68,6 +68,11 @@ impl FunctionState {
         self.clamps_stated = 0;
     }
 
+    /// Whether a guard of the tool length has come since the complete state.
+    pub(super) fn is_guarded(&self) -> bool {
+        self.guard.is_some()
+    }
+
     /// Takes the guard of a block; what is wrong with it.
     pub(super) fn guard(
         &mut self,

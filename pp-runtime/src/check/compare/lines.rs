@@ -139,6 +139,9 @@ impl Comparison<'_> {
         if runs && own.places.iter().all(starts_tool) {
             self.found(current, "this line comes after the spindle of its operation has started");
         }
+        if self.functions.is_guarded() {
+            self.found(current, "this line comes after the guard of the tool length of its operation");
+        }
         let owes = |what| self.duties.owes(what);
         // A line before it may have lost the retract.
         let begun = (!owes(Duty::Retract) || owes(Duty::RetractAfterShopLine))

@@ -32,7 +32,7 @@ pub(super) const STATES: &[StateRow] = &[
         .because("the length is that of the real tool"),
     state("1008#0, #1", "words of rotary axes beyond a revolution", Noted(|codes| codes.rotary_note), Rotary, "B-63534EN, p. 531").because(PARAMETER),
     state("5004#2, D", "offset of G41 and G42", Noted(|codes| codes.radius_data[0]), Compensation, "").because(PARAMETER),
-    state("5148", "direction off the wall of a bore", Stated("parameter 5148 has the direction of G76, as stated with FINE BORING"), Cycles, "15i operator's manual, p. 315, of 6240")
+    state("5148", "direction off the wall of a bore", Noted(|_| "the direction that the line FINE BORING of the header states"), Cycles, "15i operator's manual, p. 315, of 6240")
         .because(PARAMETER),
     state("5006#6", "axes that move where G43.4 is commanded", Noted(|codes| codes.tip.as_ref().map_or("", |tip| tip.note)), TipControl, "A-79348E, p. 16").because(PARAMETER),
     state("19696#5", "frame of the words under tip control", Stated("parameter 19696#5 is that of the frame under LINEAR WORDS"), TipControl, "B-63783EN, p. 1116; A-79348E, p. 19")

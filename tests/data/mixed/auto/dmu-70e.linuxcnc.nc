@@ -27,10 +27,16 @@
 (T2 tap M8 L110 H2, 1 operation, tip Z -15 to 60)
 (T3 end mill 10 DIA 10 L100 H3, 3 operations, tip Z 0 to 55.704)
 (T4 ball 6 DIA 6 L130 H4, 1 operation, tip Z 10 to 60.963)
+(CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool is in spindle 0)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
+(ASSUMED the control has no kinematics with tip control in force, from its start [`control.tip_control`])
 (OPERATION DRILL)
-N1 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N1 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000001 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000001 endif
 M9
 G53 G0 Z0
 (T1 drill 8)
@@ -51,7 +57,10 @@ G80
 G0 Z60
 M9
 (OPERATION TAP)
-N2 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N2 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000002 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000002 endif
 M9
 G53 G0 Z0
 M5
@@ -83,7 +92,10 @@ G0 Z10
 Z60
 M9
 (OPERATION FACE_45)
-N3 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N3 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000003 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000003 endif
 M9
 G53 G0 Z0
 M5
@@ -107,7 +119,10 @@ G0 Z91.289
 M9
 Z118.834
 (OPERATION FACE_30)
-N4 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N4 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000004 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000004 endif
 M9
 G53 G0 Z0
 (T3 stays in the spindle)
@@ -128,7 +143,10 @@ G0 Z75.397
 M9
 Z94.227
 (OPERATION BLADE)
-N5 G21 G17 G40 G49 G80 G90 G91.1 G94 G54 G64 P0.01
+N5 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54 G64 P0.01
+o1000005 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000005 endif
 M9
 G53 G0 Z0
 M5
@@ -337,7 +355,10 @@ G0 B0 C0
 (NEXT SET-UP: CLAMP THE PART AGAIN, THEN START)
 M0
 (OPERATION BACK_DRILL)
-N6 G21 G17 G40 G49 G80 G90 G91.1 G94 G55 G64 P0.01
+N6 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G55 G64 P0.01
+o1000006 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000006 endif
 M9
 G53 G0 Z0
 (T1 drill 8)
@@ -356,7 +377,10 @@ G80
 G0 Z60
 M9
 (OPERATION BACK_FACE)
-N7 G21 G17 G40 G49 G80 G90 G91.1 G94 G55 G64 P0.01
+N7 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G55 G64 P0.01
+o1000007 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]
+(abort, G92, G52 or a rotation lies over the work offset: G92.2, G10 L2 R0)
+o1000007 endif
 M9
 G53 G0 Z0
 M5

@@ -28,12 +28,25 @@
 ; T2 tap M8 L110 D1, 1 operation, tip Z -15 to 60
 ; T3 end mill 10 DIA 10 L100 D1, 3 operations, tip Z 0 to 55.704
 ; T4 ball 6 DIA 6 L130 D1, 1 operation, tip Z 10 to 60.963
+; CONDITION the edges of the tools have their lengths (length 1)
+; CONDITION CUT2D, NORM and G450 are in force, as after reset
+; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
+; CONDITION the control is in Siemens mode (G290)
+; CONDITION X is a radius (DIAMOF)
+; CONDITION the tool is in the master spindle
+; CONDITION no CYCLE832 of a program before is in force
 ; ASSUMED retract to machine coordinate 0 mm
 ; ASSUMED approach distance 50 mm along the tool axis
 MSG("DRILL")
 N1 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 ; T1 drill 8
@@ -59,7 +72,13 @@ M9
 MSG("TAP")
 N2 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 M5
@@ -85,7 +104,13 @@ M9
 MSG("FACE_45")
 N3 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 M5
@@ -121,7 +146,13 @@ CYCLE800()
 MSG("FACE_30")
 N4 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 ; T3 stays in the spindle
@@ -152,7 +183,13 @@ CYCLE800()
 MSG("BLADE")
 N5 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 M5
@@ -301,7 +338,13 @@ M0
 MSG("BACK_DRILL")
 N6 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G55
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 ; T1 drill 8
@@ -325,7 +368,13 @@ M9
 MSG("BACK_FACE")
 N7 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G55
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 M5

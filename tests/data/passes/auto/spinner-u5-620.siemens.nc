@@ -19,6 +19,12 @@
 ; linear limits not checked: no travel declared (X Y Z)
 ; the entries of C and B in G54 must be zero
 ; T4 ball 8 DIA 8 L130 D1, 1 operation, tip Z 3 to 23.126
+; CONDITION the edges of the tools have their lengths (length 1)
+; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
+; CONDITION the control is in Siemens mode (G290)
+; CONDITION X is a radius (DIAMOF)
+; CONDITION the tool is in the master spindle
+; CONDITION no CYCLE832 of a program before is in force
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
 ; ASSUMED approach distance 50 mm along the tool axis
@@ -26,7 +32,13 @@
 MSG("PASSES")
 N1 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 ; T4 ball 8

@@ -23,13 +23,25 @@
 ; the entries of C and B in G54 must be zero
 ; T1 DIA 10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
 ; T2 DIA 5 L130 D1, 1 operation, tip Z -15.078 to 28.689
+; CONDITION the edges of the tools have their lengths (length 1)
+; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
+; CONDITION the control is in Siemens mode (G290)
+; CONDITION X is a radius (DIAMOF)
+; CONDITION the tool is in the master spindle
+; CONDITION no CYCLE832 of a program before is in force
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
 ; ASSUMED approach distance 50 mm along the tool axis
 MSG("ARCS")
 N1 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 T1
@@ -63,7 +75,13 @@ M1
 MSG("TILTED")
 N2 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 ; T1 stays in the spindle
@@ -132,7 +150,13 @@ SUPA G0 Z0 D0
 MSG("HOLES")
 N3 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 M5
@@ -218,7 +242,13 @@ M0
 MSG("SWARF")
 N4 TRAFOOF
 CYCLE800()
+TRANS
 G710 G17 G40 G64 G90 G94 G54
+IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR $P_ACTFRAME[Z,MI]
+MSG("A rotation, a scale or a mirror lies over the work offset")
+M0
+M30
+ENDIF
 M9
 SUPA G0 Z0 D0
 T1

@@ -104,6 +104,8 @@ fn is_later(action: &Event<'_>, next: &Event<'_>) -> bool {
     let guards = matches!(next.block.effect, Effect::Guard { .. }) && next.block.state.guarded.is_some();
     let again = matches!(action.block.effect, Effect::ToolChange(tool) if action.before.tool == Some(tool));
     matches!(action.block.effect, Effect::Machine | Effect::Dwell(_))
+        || matches!(action.block.effect, Effect::Guard { .. } | Effect::OffsetGuard)
+            && matches!(next.block.effect, Effect::Shop(_))
         || again && matches!(next.block.effect, Effect::Shop(_))
         || guards && matches!(action.block.effect, Effect::ToolChange(_))
 }

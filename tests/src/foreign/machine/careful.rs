@@ -10,7 +10,7 @@
 use super::super::Control;
 use super::super::axes::{Axes, is_rotary};
 use super::super::meaning::{Address, Command, Meaning, Word};
-use super::super::state::{Compensation, Distance, FeedMode, Length, Spindle};
+use super::super::state::{Compensation, Distance, FeedMode, LeftOn, Length, Spindle};
 use super::super::trace::Effect;
 use super::Machine;
 
@@ -67,7 +67,7 @@ pub(super) fn clear(control: Control, command: &Command) -> Result<(), String> {
         return Err("coolant on and off in one block".to_owned());
     }
     let own_block = |meaning: &Meaning| match meaning {
-        Meaning::ModalCall => true,
+        Meaning::ModalCall | Meaning::Ends(LeftOn::Shift) => true,
         Meaning::TipControl(_) => control != Control::Heidenhain,
         _ => false,
     };

@@ -26,7 +26,7 @@ const SHOWN: usize = 10;
 
 /// Findings in programs that do the same, of forms that the check does not read: incremental mode, and calls of Siemens, whose
 /// subprograms are files of their own. Such a program is counted as not read, also where it does harm.
-const NOT_READ: [&str; 2] = ["incremental mode (G91) is active", "` is not known to the check; line"];
+const NOT_READ: [&str; 2] = ["incremental mode (G91) is active", "` is not known to the check; "];
 
 /// How a stretch of a program is rewritten.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
