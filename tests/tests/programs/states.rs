@@ -251,6 +251,27 @@ fn the_check_finds_a_program_that_lacks_a_code_or_its_guard() {
     }
 }
 
+#[test]
+fn a_guard_of_the_work_offset_that_compares_something_else_is_found() {
+    for (name, from, to) in [
+        ("linuxcnc", "#5220", "#5221"),
+        ("linuxcnc", "#5210 NE", "#5211 NE"),
+        ("linuxcnc", "(abort, G92", "(G92"),
+        ("siemens", "[Y,RT]", "[X,RT]"),
+        ("siemens", ">0.0001", ">1"),
+        ("siemens", " OR $P_ACTFRAME[Y,MI]", ""),
+        ("heidenhain", "ID210 NR1", "ID210 NR2"),
+        ("heidenhain", "EQU +0", "EQU +1"),
+        ("heidenhain", "FN 14: ERROR = 102", "FN 14: ERROR = 0"),
+    ] {
+        let (config, control) = (config(name, ""), tests::by_name::control(name));
+        let text = program(name, "");
+        let edited = text.replacen(from, to, 1);
+        assert_ne!(edited, text, "{name}: {from}");
+        assert!(!findings::<SpinnerU5620>(&config, control, DATA, &edited).is_empty(), "{name}: {to}");
+    }
+}
+
 /// Codes of options, which raise an alarm where the option is not installed.
 const OPTIONS: [(&str, &[(&str, &str)]); 5] = [
     ("linuxcnc", &[]),

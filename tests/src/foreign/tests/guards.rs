@@ -1,6 +1,6 @@
 //! Length guards are whole, or refused.
 
-use super::super::{Axes, Control, Effect, Options, run};
+use super::super::{Axes, Control, Effect, Options, State, run};
 use super::{program, trace};
 
 const GUARD: Effect = Effect::Guard { length: 9.5, tolerance: 0.01 };
@@ -136,4 +136,63 @@ fn a_guard_of_linuxcnc_needs_the_length_that_it_reads() {
     let text = guard(Control::LinuxCnc).join("\n");
     let before = program(Control::LinuxCnc, "").replace("G43 H1", &format!("{text}\nG43 H1"));
     assert!(run(&before, &Options::of(Control::LinuxCnc)).is_err());
+}
+
+/// Lines of the guard of what lies over the work offset.
+fn offset_guard(control: Control) -> Vec<&'static str> {
+    match control {
+        Control::LinuxCnc => {
+            vec!["o1 if [[#5210 NE 0] OR [#[5210 + 20 * #5220] NE 0]]", "(abort, no)", "o1 endif"]
+        }
+        Control::Siemens => vec![
+            "IF (ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])+ABS($P_ACTFRAME[X,SC]-1)+\
+             ABS($P_ACTFRAME[Y,SC]-1)+ABS($P_ACTFRAME[Z,SC]-1)>0.0001) OR $P_ACTFRAME[X,MI] OR $P_ACTFRAME[Y,MI] OR \
+             $P_ACTFRAME[Z,MI]",
+            "MSG(\"no\")",
+            "M0",
+            "M30",
+            "ENDIF",
+        ],
+        Control::Heidenhain => vec![
+            "FN 18: SYSREAD QL1 = ID210 NR1",
+            "FN 9: IF +QL1 EQU +0 GOTO LBL \"OFFSET1\"",
+            "; no",
+            "FN 14: ERROR = 102",
+            "LBL \"OFFSET1\"",
+        ],
+        Control::Fanuc | Control::Haas => Vec::new(),
+    }
+}
+
+#[test]
+fn a_guard_of_the_work_offset_stops_where_a_rotation_lies_over_it_and_is_whole() {
+    for control in Control::ALL {
+        let whole = offset_guard(control);
+        if whole.is_empty() {
+            continue;
+        }
+        let text = program(control, &whole.join("\n"));
+        assert!(run(&text, &Options::of(control)).is_ok(), "{text}");
+        let rotated = State { rotated_offset: true, ..State::default() };
+        assert!(run(&text, &Options { before: rotated, ..Options::of(control) }).is_err(), "{text}");
+        for left_out in 0..whole.len() {
+            let mut lines = whole.clone();
+            lines.remove(left_out);
+            assert!(is_refused(control, &lines), "{control:?} without {:?}", whole[left_out]);
+        }
+    }
+    for (control, from, to) in [
+        (Control::LinuxCnc, "#5220", "#5221"),
+        (Control::LinuxCnc, "OR", "AND"),
+        (Control::Siemens, "[Y,RT]", "[X,RT]"),
+        (Control::Siemens, " OR $P_ACTFRAME[Y,MI]", ""),
+        (Control::Siemens, ">0.0001", ">1"),
+        (Control::Heidenhain, "NR1", "NR2"),
+        (Control::Heidenhain, "EQU +0", "EQU +1"),
+    ] {
+        let text = offset_guard(control).join("\n");
+        let other = text.replacen(from, to, 1);
+        assert_ne!(other, text);
+        assert!(is_refused(control, &other.lines().collect::<Vec<_>>()), "{control:?}: {other}");
+    }
 }

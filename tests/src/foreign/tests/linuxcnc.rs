@@ -137,13 +137,18 @@ fn a_proof_program_cuts_nothing_with_the_spindle_off() {
 
 #[test]
 fn a_program_can_be_entered_only_where_the_state_is_complete() {
-    let complete =
-        program(LINUXCNC, "G0 X1 Z9\nN2 G21 G17 G40 G49 G80 G90 G91.1 G94 G54\nG43 H1\nS9 M3\nG0 X2 Z9\nG1 X3 F5");
+    let complete = program(
+        LINUXCNC,
+        "G0 X1 Z9\nN2 G21 G8 G17 G40 G49 G80 G90 G91.1 G94 G97 G54\nG43 H1\nS9 M3\nG0 X2 Z9\nG1 X3 F5",
+    );
     let at = |line| Options { entry: Some(Entry { line, tool: Some(1) }), ..Options::of(LINUXCNC) };
     let whole = run(&complete, &Options::of(LINUXCNC)).expect("complete");
     let line = whole.restarts().next().expect("a restart point");
     assert_eq!(line, 6);
     assert_eq!(run(&complete, &at(line)).expect("complete").motions().count(), 2);
+    for code in ["G8 ", "G40 ", "G97 "] {
+        assert!(run(&complete.replace(code, ""), &at(line)).is_err(), "{code}");
+    }
     assert!(run(&complete.replace("G43 H1\nS9", "S9"), &at(line)).is_err());
     assert!(run(&complete.replace("\nS9 M3", ""), &at(line)).is_err());
     assert!(run(&complete, &at(line + 1)).is_err());
