@@ -222,8 +222,11 @@ pub(crate) fn write_table(control: &dyn Control, out: &mut dyn Write) -> io::Res
     writeln!(out, "\n{} states, {} of them from memory", rows.len(), from_memory(control.family()))
 }
 
+/// A way in which programs deal with states: its title, and whether a row is one of it.
+type Way = (&'static str, fn(&StateHandling) -> bool);
+
 /// The ways, the first of which is taken that is possible.
-const WAYS: [(&str, fn(&StateHandling) -> bool); 4] = [
+const WAYS: [Way; 4] = [
     ("Written in the word itself", |by| matches!(by, StateHandling::InWord(_))),
     ("Set at each restart point", |by| matches!(by, StateHandling::Set(_) | StateHandling::SetWhere(..))),
     ("Compared by a guard that stops", |by| matches!(by, StateHandling::Compared(..))),
