@@ -317,7 +317,7 @@ pub struct State {
     pub clamped: u16,
     /// Axes of which it is known whether they are clamped: bits by position.
     pub clamps_known: u16,
-    /// Bits of [`settled`].
+    /// Bits of `settled`.
     pub settled: u32,
     /// Line with the declared effect "state lost": what has not been programmed after it is unknown.
     pub lost_at: Option<u64>,
