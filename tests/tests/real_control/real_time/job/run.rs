@@ -98,8 +98,8 @@ impl<M: Machine> Observer<M> {
     }
 }
 
-/// Lines after which the control stops and is asked for its position: those with a block, but the last one, and not
-/// between G41 and G40, where LinuxCNC refuses to wait.
+/// Lines after which the control stops and is asked for its position: those with a block, but the last one, not between
+/// G41 and G40, where LinuxCNC refuses to wait, and not after the O-words of a guard, which it passes over.
 fn asked(program: &str) -> Vec<usize> {
     let mut compensated = false;
     let mut lines = Vec::new();
@@ -107,7 +107,7 @@ fn asked(program: &str) -> Vec<usize> {
         if line.starts_with("G41") || line.starts_with("G40") {
             compensated = line.starts_with("G41");
         }
-        if !compensated && !line.starts_with('(') && line != "M2" {
+        if !compensated && !line.starts_with(['(', 'o']) && line != "M2" {
             lines.push(index + 1);
         }
     }
