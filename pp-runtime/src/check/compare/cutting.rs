@@ -243,7 +243,9 @@ impl Comparison<'_> {
         let leans_rad = segment.axis_arc().distance(&end.axis);
         // Words across the tool keep the level of a plane that leans as much.
         let level = largest + leans_rad * segment.length();
-        let on_axis = over && from.abs() + to.abs() <= along(segment.to.tip - segment.from.tip).abs() + level;
+        // On its way up it comes to the clearance level before it moves across.
+        let down = to >= -level;
+        let on_axis = over && down && from.abs() + to.abs() <= along(segment.to.tip - segment.from.tip).abs() + level;
         let near = part.rapid && leans_rad <= BOTH * rounding.axis_rad;
         let done = if over && to.abs() <= level { 1.0 } else { 0.0 };
         (near && (on_axis || segment.distance(end, 0.0) <= largest)).then_some(done)

@@ -9,13 +9,13 @@ use crate::check::tolerances::{GUARDED_SINES, LEAST_GUARDED_RATE, ROUNDED_GUARD_
 /// What is wrong with a guard.
 pub(super) fn fault(guard: &RotaryGuard, phase: &Phase, rules: &Rules<'_>, previous: &Previous) -> Option<String> {
     match phase {
-        Phase::Retracted(_) => {}
+        Phase::Retracted(retracted) if retracted.since_plane.is_some() => {}
         Phase::Cutting(_) | Phase::Leaving(_) => {
             return Some(
                 "rotary positions are compared with the tool at the part: the look-ahead stops there".to_owned(),
             );
         }
-        Phase::Unknown { .. } | Phase::Ended => {
+        Phase::Retracted(_) | Phase::Unknown { .. } | Phase::Ended => {
             return Some("rotary positions are compared, and no plane call comes before".to_owned());
         }
     }

@@ -394,3 +394,37 @@ fn an_optional_stop_takes_the_place_of_the_one_that_is_configured() {
     let same = TWO_OPERATIONS.replace("LOADTL/2\n", "LOADTL/1\nOPSTOP\n");
     assert_eq!(posted_right::<Mill>("fanuc", Mode::Axes, set_up, &same).matches("\nM1\n").count(), 1);
 }
+
+/// The tool goes up to the clearance level of a higher hole before it goes across.
+#[test]
+fn across_to_a_higher_hole_before_the_way_up_is_found() {
+    let holes = "UNITS/MM\nLOADTL/1\nSPINDL/1000,CLW\nRAPID\nGOTO/0,0,50\nCYCLE/DRILL,DEPTH,10,CLEAR,5,MMPM,100\nGOTO/0,0,0\n\
+                 GOTO/20,0,3\nCYCLE/OFF\nRAPID\nGOTO/20,0,50\n";
+    let set_up = "rapid = \"split\"\ncycles.output = \"expanded\"\ncl.dialect = \"iso\"\nretract.distance = 20\n";
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, set_up, holes);
+    let swapped = program.replace("Z8.\nX20.\n", "X20.\nZ8.\n");
+    assert_ne!(swapped, program);
+    assert_told::<Mill>("fanuc", Mode::Axes, set_up, holes, &swapped);
+}
+
+#[test]
+fn the_guard_of_the_work_offset_comes_before_the_machine_retracts() {
+    let program = posted_right::<Mill>("linuxcnc", Mode::Axes, "retract.distance = 20\n", TWO_OPERATIONS);
+    let guard = program.lines().find(|line| line.contains("#5210")).expect("the guard");
+    let place = program.find(guard).expect("its place");
+    let retract = "G53 G0 Z0\n";
+    let after = place + program[place..].find(retract).expect("the retract");
+    let early =
+        format!("{}{retract}{}{}", &program[..place], &program[place..after], &program[after + retract.len()..]);
+    assert_told::<Mill>("linuxcnc", Mode::Axes, "retract.distance = 20\n", TWO_OPERATIONS, &early);
+}
+
+#[test]
+fn a_guard_of_a_plane_whose_call_is_lost_is_found() {
+    let data = "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/1000,CLW\nRAPID\nGOTO/0,0,50,0,-0.5,0.8660254\nFEDRAT/300,MMPM\n\
+                GOTO/0,0,10\nGOTO/10,0,10,0,-0.6,0.8\nRAPID\nGOTO/10,0,50\n";
+    let set_up = "retract.distance = 20\n";
+    let program = posted_right::<OneTable>("heidenhain", Mode::Tcp, set_up, data);
+    let call = program.lines().find(|line| line.contains("PLANE SPATIAL")).expect("a plane call");
+    assert_told::<OneTable>("heidenhain", Mode::Tcp, set_up, data, &program.replace(&format!("{call}\n"), ""));
+}

@@ -179,7 +179,7 @@ pub(super) const OWED: [Owed; 11] = [
 
 /// What must be so at each place.
 #[rustfmt::skip]
-pub(in crate::check) const NEEDED: [Needed; 55] = [
+pub(in crate::check) const NEEDED: [Needed; 56] = [
     needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
     needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
@@ -219,6 +219,7 @@ pub(in crate::check) const NEEDED: [Needed; 55] = [
     needed(DutyPlace::Measuring, Duty::Retract, always, "the machine has not retracted before the tool is measured or checked for breakage"),
 
     needed(DutyPlace::RetractOfStart, Duty::Parking, always, ""),
+    needed(DutyPlace::RetractOfStart, Duty::OffsetGuard, always, ""),
     needed(DutyPlace::RetractOfStart, Duty::TipControlOff, always, "tip control may be on: its code off is missing after the restart point and before the retract"),
 
     needed(DutyPlace::ApproachStep, Duty::PlaneGuard, always, ""),

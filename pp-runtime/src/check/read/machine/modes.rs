@@ -55,7 +55,17 @@ impl Interpreter {
             Mode::Settles(_) => {}
             Mode::Incremental(on) => state.incremental = Some(on),
             Mode::AbsoluteCentres(on) => state.absolute_centres = Some(on),
-            Mode::ReturnToInitial(initial) => state.to_initial = Some(initial),
+            Mode::ReturnToInitial(initial) => {
+                // LinuxCNC: "Cannot change retract mode with cutter radius compensation on".
+                if self.facts.motion_codes_execute && ![Some(Side::None), None].contains(&state.side) {
+                    fault(
+                        faults,
+                        0,
+                        "the level after a hole is set while cutter compensation is on: the control refuses it",
+                    );
+                }
+                state.to_initial = Some(initial);
+            }
             Mode::Shortest(shortest) => (state.shortest, state.shortest_stated) = (shortest, true),
             Mode::CancelsOffset { off } => {
                 let known = self.frames.stated & Frames::TIP_CONTROL != 0;
