@@ -332,6 +332,11 @@ pub(in crate::check) struct WordsFrame {
 }
 
 impl State {
+    /// Whether cutter compensation is on.
+    pub(super) fn compensates(&self) -> bool {
+        self.side.is_some_and(|side| side != Side::None)
+    }
+
     /// Takes what a block of axis words, F and S may have changed in another state that was the same before.
     pub(super) fn take_moves(&mut self, now: &Self) {
         (self.feed, self.speed) = (now.feed, now.speed);

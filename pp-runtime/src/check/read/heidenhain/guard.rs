@@ -36,6 +36,16 @@ pub(super) struct Label {
     length: usize,
 }
 
+/// Whether a line, of which `came` says that it is the next of a guard, is nothing else besides; a guard that has begun is
+/// incomplete otherwise.
+pub(super) fn continues(line: &mut Line<'_>, came: bool, is_open: bool, guard: &str) -> bool {
+    let continues = came && super::ended(line);
+    if !continues && is_open {
+        line.fault(0, format!("{guard} is not complete before this block"));
+    }
+    continues
+}
+
 impl LengthGuard {
     /// Whether a guard has begun.
     pub(super) fn is_open(&self) -> bool {
@@ -44,11 +54,8 @@ impl LengthGuard {
 
     /// The next line of a guard; `false` if it is not.
     pub(super) fn line(&mut self, line: &mut Line<'_>) -> bool {
-        let fits = self.next(&mut line.at).is_some() && (line.at.ended() || line.at.peek() == Some(b';'));
-        if !fits {
-            if self.is_open() {
-                line.fault(0, "the length guard is not complete before this block");
-            }
+        let came = self.next(&mut line.at).is_some();
+        if !continues(line, came, self.is_open(), "the length guard") {
             self.lines = 0;
             return false;
         }

@@ -5,8 +5,8 @@
 //! of TOOL CALL is the normal of the plane.
 //!
 //! What a line begins with is in the table of the language; `words` has the words of a motion, `round` the arcs about CC,
-//! `cycles` CYCL DEF, `plane` PLANE and TCPM, `guard` the length guard, `plane_guard` and `offset_guard` the others. Functions of a statement answer whether all of it is
-//! known.
+//! `cycles` CYCL DEF, `plane` PLANE and TCPM, `guard` the length guard, `plane_guard` and `offset_guard` the others. Functions of
+//! a statement answer whether all of it is known.
 
 mod cycles;
 mod guard;

@@ -6,7 +6,7 @@
 use super::super::line::Line;
 use super::super::orders::Mode;
 use super::super::text::{Cursor, whole};
-use super::guard::{Label, label};
+use super::guard::{Label, continues, label};
 
 /// Progress of a guard.
 #[derive(Debug, Clone, Copy, Default)]
@@ -24,11 +24,8 @@ impl OffsetGuardLines {
 
     /// The next line of a guard; `false` if it is not.
     pub(super) fn line(&mut self, line: &mut Line<'_>) -> bool {
-        let fits = self.next(&mut line.at).is_some() && (line.at.ended() || line.at.peek() == Some(b';'));
-        if !fits {
-            if self.is_open() {
-                line.fault(0, "the guard of the work offset is not complete before this block");
-            }
+        let came = self.next(&mut line.at).is_some();
+        if !continues(line, came, self.is_open(), "the guard of the work offset") {
             self.lines = 0;
             return false;
         }

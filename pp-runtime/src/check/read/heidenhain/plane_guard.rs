@@ -8,7 +8,7 @@ use super::super::block::RotaryGuard;
 use super::super::line::Line;
 use super::super::orders::Mode;
 use super::super::text::{Cursor, whole};
-use super::guard::{Label, label};
+use super::guard::{Label, continues, label};
 
 /// Axes in the order of their numbers in `ID270`; the check states them itself.
 const AXES: &[u8; 9] = b"XYZABCUVW";
@@ -44,16 +44,13 @@ impl PlaneGuardLines {
 
     /// The next line of a guard; `false` if it is not.
     pub(super) fn line(&mut self, line: &mut Line<'_>) -> bool {
-        match self.next(line).filter(|_| line.at.ended() || line.at.peek() == Some(b';')) {
-            Some(due) => self.due = due,
-            None => {
-                if self.is_open() {
-                    line.fault(0, "the guard of the rotary positions is not complete before this block");
-                }
-                *self = Self::default();
-                return false;
-            }
-        }
+        let due = self.next(line);
+        let continues = continues(line, due.is_some(), self.is_open(), "the guard of the rotary positions");
+        let Some(due) = due.filter(|_| continues) else {
+            *self = Self::default();
+            return false;
+        };
+        self.due = due;
         if !self.is_open() {
             line.orders.mode(Mode::PlaneGuard(std::mem::take(self).guard));
         }

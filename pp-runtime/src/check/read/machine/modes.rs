@@ -44,10 +44,7 @@ impl Interpreter {
             Mode::RadiusRegister(register) => state.diameter = Some(register),
             Mode::Plane(plane) => state.plane = Some(plane),
             Mode::Side(side) => {
-                if self.facts.motion_codes_execute
-                    && ![Some(Side::None), None].contains(&state.side)
-                    && side != Side::None
-                {
+                if self.facts.motion_codes_execute && state.compensates() && side != Side::None {
                     fault(faults, 0, "cutter compensation is switched on while it is on");
                 }
                 (state.side, state.side_unknown) = (Some(side), false);
@@ -57,7 +54,7 @@ impl Interpreter {
             Mode::AbsoluteCentres(on) => state.absolute_centres = Some(on),
             Mode::ReturnToInitial(initial) => {
                 // LinuxCNC: "Cannot change retract mode with cutter radius compensation on".
-                if self.facts.motion_codes_execute && ![Some(Side::None), None].contains(&state.side) {
+                if self.facts.motion_codes_execute && state.compensates() {
                     fault(
                         faults,
                         0,
