@@ -169,6 +169,7 @@ fn allowed(config: &Config, control: foreign::Control, set_up: &str, text: &str,
         wraps: set_up.contains("[wrap]"),
         signs_turn: set_up.contains("\"sign\""),
         tool_axis: (config.motion.tip.tcp_frame != Some(TcpFrame::NotTurning)).then_some(tool_axis),
+        axis_speeds: set_up.contains("[speeds]"),
         starts_continuous: matches!(
             control,
             foreign::Control::Fanuc | foreign::Control::Haas | foreign::Control::Siemens

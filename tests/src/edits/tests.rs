@@ -8,6 +8,7 @@ const ALLOWED: Allowed = Allowed {
     linear: 0.024,
     unit: 0.001,
     rotary_deg: 0.25,
+    axis_speeds: false,
     wraps: false,
     signs_turn: false,
     tool_axis: None,

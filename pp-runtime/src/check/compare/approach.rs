@@ -58,6 +58,7 @@ impl Comparison<'_> {
         self.moves_once(retracted, step.enters_tip_control, current);
         self.home_before_rotation(retracted, step.turned, current);
         self.compare_state_of_step(retracted, step, current);
+        self.functions.state_axes(current.block.written);
         retracted.stopped = false;
         retracted.step = step.number;
         Ok(self.end_of_approach(retracted, step, current))

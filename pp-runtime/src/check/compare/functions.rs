@@ -37,6 +37,8 @@ pub(super) struct FunctionState {
     unclamped: u16,
     /// The cuts before a retract that may be a rewind.
     interrupted: Option<InterruptedCuts>,
+    /// Axes whose words have come since the complete state: bits.
+    axes_stated: u16,
     /// The blank as far as the program has defined it, in its unit.
     blank: Blank,
     /// It has been compared with that of the configuration.
@@ -65,7 +67,23 @@ impl FunctionState {
     pub(super) fn restart(&mut self) {
         self.guard = None;
         self.radius_guard_mm = None;
-        self.clamps_stated = 0;
+        (self.clamps_stated, self.axes_stated) = (0, 0);
+    }
+
+    /// A block of an approach has words of axes.
+    pub(super) fn state_axes(&mut self, written: u16) {
+        self.axes_stated |= written;
+    }
+
+    /// What is wrong at the end of the first approach: the position of each axis is programmed after the complete state.
+    pub(super) fn axes_unstated(&self, rules: &Rules<'_>) -> Option<String> {
+        let solved = rules.words().linear_bits() | rules.words().rotary_bits();
+        let axis = letter(rules, solved & !self.axes_stated);
+        axis.map(|letter| {
+            format!(
+                "operation starts without the position of {letter}, which must be programmed after its restart point"
+            )
+        })
     }
 
     /// Whether a guard of the tool length has come since the complete state.
@@ -294,25 +312,24 @@ impl FunctionState {
         let clamps = rules.clamps();
         let state = &block.state;
         let released = state.clamps_known & !state.clamped;
+        // The control may rotate any of them.
+        let mut rotated = if block.action == Action::Orient { clamps } else { moved };
         if at_part {
-            self.moved |= moved;
             if !block.action.is_rapid() {
                 self.unclamped |= clamps & !state.clamped;
             }
             let before = std::mem::replace(&mut self.vector, state.vector);
-            if state.vector.is_some() && before != state.vector {
-                // The first tool axis may be the one of the approach.
-                let axis = rules.pose(block).axis;
-                let same = before.is_none() && rules.is_at_tool_axis(&block.values, &axis);
-                self.moved |= if same { 0 } else { u16::MAX };
+            // The first tool axis may be the one of the approach.
+            let stays = || before.is_none() && rules.is_at_tool_axis(&block.values, &rules.pose(block).axis);
+            if state.vector.is_some() && before != state.vector && !stays() {
+                rotated = clamps;
             }
+            self.moved |= moved | if state.vector.is_some() { rotated } else { 0 };
         }
-        // The control may rotate any of them.
-        let moved = if block.action == Action::Orient { clamps } else { moved };
         if let Some(interrupted) = &mut self.interrupted {
-            interrupted.rewound |= moved;
+            interrupted.rewound |= rotated;
         }
-        let stuck = moved & clamps & !released;
+        let stuck = rotated & clamps & !released;
         letter(rules, stuck).map(|letter| match state.clamped & stuck {
             0 => format!("{letter} moves, and its clamp has not been released"),
             _ => format!("{letter} moves while it is clamped"),

@@ -28,9 +28,11 @@ impl Comparison<'_> {
                 retracted.homed &= !block.written;
             }
             // A parking position may be the home position.
-            let goes = self.goes_home(phase, current) | self.parks_linear(phase, current)
-                || self.goes_to_station(phase, current);
-            if !goes {
+            let (homes, parks) = (self.goes_home(phase, current), self.parks_linear(phase, current));
+            let elsewhere = parks || self.goes_to_station(phase, current);
+            if homes && !elsewhere {
+                self.duties.happens(DutyEvent::LinearHome);
+            } else if !homes && !elsewhere {
                 self.found(current, &text);
                 if block.action != Action::Machine {
                     return Ok(Some(self.forget(phase)));
@@ -63,6 +65,10 @@ impl Comparison<'_> {
 
     /// The linear axes are home where a block at the retract rotates the rotary axes (`home_on_indexing`).
     pub(super) fn home_before_rotation(&mut self, retracted: &Retracted, turned: bool, current: &Current<'_>) {
+        let rotary = current.block.written & self.rules.words().rotary_bits();
+        if rotary != 0 {
+            self.duties.happens(DutyEvent::RotaryWords);
+        }
         if turned && machine_move::is_not_home(&self.rules, retracted.homed) {
             self.found(
                 current,

@@ -24,19 +24,19 @@ const OFFSET_GUARD: &str = "the guard of the work offset is missing after the re
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Duties {
     /// Bits by [`Duty`].
-    owed: u32,
+    owed: u64,
     /// What is asked for at all.
-    asked: u32,
+    asked: u64,
 }
 
 impl Duty {
-    const fn bit(self) -> u32 {
+    const fn bit(self) -> u64 {
         1 << self as u32
     }
 }
 
 /// What is owed after each event, and what is done by it: bits.
-const BY_EVENT: [[u32; 2]; DutyEvent::Cycle as usize + 1] = {
+const BY_EVENT: [[u64; 2]; DutyEvent::Cycle as usize + 1] = {
     let (mut bits, mut index) = ([[0; 2]; _], 0);
     while index < OWED.len() {
         let Owed { what, after, done, .. } = &OWED[index];
@@ -55,7 +55,7 @@ const BY_EVENT: [[u32; 2]; DutyEvent::Cycle as usize + 1] = {
 };
 
 /// What may be owed at each place: bits.
-const AT_PLACE: [u32; DutyPlace::End as usize + 1] = {
+const AT_PLACE: [u64; DutyPlace::End as usize + 1] = {
     let (mut bits, mut row) = ([0; _], 0);
     while row < NEEDED.len() {
         bits[NEEDED[row].at as usize] |= NEEDED[row].what.bit();
@@ -117,7 +117,12 @@ impl Comparison<'_> {
         match what {
             Duty::CompleteState | Duty::RetractAfterShopLine => return self.duties.owes(what),
             Duty::Retract => return at_part || self.duties.owes(what),
-            Duty::DrainDwell | Duty::SpindleDwell | Duty::SpindleAgain | Duty::TipControlOff | Duty::CycleAtLevel => {
+            Duty::DrainDwell
+            | Duty::SpindleDwell
+            | Duty::SpindleAgain
+            | Duty::TipControlOff
+            | Duty::CycleAtLevel
+            | Duty::RotationAfterHome => {
                 return self.duties.take(what);
             }
             Duty::Away => return at_part,
@@ -167,7 +172,9 @@ impl Comparison<'_> {
                 let missing = self.shop_lines.end();
                 self.found_all(current, missing);
             }
-            Duty::LengthGuard | Duty::ClampsStated | Duty::Blank => self.compare_first_blocks(what, current),
+            Duty::LengthGuard | Duty::ClampsStated | Duty::AxesStated | Duty::Blank => {
+                self.compare_first_blocks(what, current)
+            }
         }
         false
     }
@@ -178,6 +185,7 @@ impl Comparison<'_> {
         let fault = match what {
             Duty::LengthGuard => self.functions.length_guard(&self.rules, &required, current.block),
             Duty::ClampsStated => self.functions.clamps_unstated(&self.rules),
+            Duty::AxesStated => self.functions.axes_unstated(&self.rules),
             _ => self.functions.blank_fault(&self.rules),
         };
         self.found_any(current, fault);
@@ -219,6 +227,7 @@ mod tests {
             | Duty::PlaneGuard
             | Duty::OffsetGuard
             | Duty::CycleAtLevel
+            | Duty::RotationAfterHome
             | Duty::ApproachEnded
             | Duty::CutsEnded
             | Duty::ClampsOfCuts
@@ -227,6 +236,7 @@ mod tests {
             | Duty::SpindleStated
             | Duty::LengthGuard
             | Duty::ClampsStated
+            | Duty::AxesStated
             | Duty::Blank => &[],
         }
     }

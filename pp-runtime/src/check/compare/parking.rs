@@ -16,15 +16,15 @@ pub(super) fn moves_rotary(
     previous: &Previous,
     block: &Block,
 ) -> bool {
-    let values = rules.words().values(&block.values);
-    let before = rules.words().values(&previous.words);
+    let (values, before) = (rules.words().values(&block.values), rules.words().values(&previous.words));
+    let rotary = rules.words().rotary_bits();
     let largest = ROUNDED_WORD * rules.rounding().unit_rad;
     let there = |index: usize, place: f64| apart(values[index], place) <= largest;
     // An axis whose angle blocks of the shop have made unknown may be where it was.
     let nearer = |index: usize, place: f64| apart(values[index], place) < apart(before[index], place);
     // A word of the place where an axis is moves nothing.
-    let turned = rules.moved(&previous.words, previous.known, block);
-    let moves = if turned == 0 { block.written } else { turned };
+    let all = rules.all_moved(&previous.words, previous.known, block);
+    let moves = if all & rotary == 0 { block.written & rotary } else { all & rotary };
     let moved = || rules.axes().iter().enumerate().filter(|(index, _)| moves & (1 << index) != 0);
     let place = |letter: &char| places.get(letter).copied();
     let in_steps = moved().any(|(index, axis)| {
@@ -34,7 +34,7 @@ pub(super) fn moves_rotary(
     let parks = |(index, axis): (usize, &Axis)| {
         place(&axis.letter).is_some_and(|place| there(index, place) || in_steps && nearer(index, place))
     };
-    block.written & !rules.words().rotary_bits() == 0 && moved().all(parks)
+    all & !rotary == 0 && moved().all(parks)
 }
 
 /// Whether a block moves linear axes to their places.

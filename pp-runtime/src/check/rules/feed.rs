@@ -10,8 +10,7 @@ use super::super::policy::{CheckPolicy, FeedPath, LinearMeaning};
 use super::super::read::{Facts, FeedMode, MAX_AXES, State, set_bits};
 use super::{Deviation, tip_rates};
 use crate::check::tolerances::{
-    EXCURSION, F_NOISE, FASTER, LEVER, PERPENDICULAR_AXES, RESTING_BLOCK, ROUNDED_BLOCK_LENGTH, SLOWED_BY_ROUNDING,
-    TIME_BOUND,
+    F_NOISE, FASTER, LEVER, PERPENDICULAR_AXES, RESTING_BLOCK, ROUNDED_BLOCK_LENGTH, SLOWED_BY_ROUNDING, TIME_BOUND,
 };
 use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{AnyMachine, AxisKind};
@@ -434,7 +433,7 @@ impl FeedLaw {
         let linear = self.speeds.iter().filter(|(index, _)| self.linear_bits & (1 << index) != 0);
         let slowest = linear.map(|(_, speed)| *speed).fold(f64::INFINITY, f64::min);
         let held_back = |change: &[f64; MAX_AXES]| {
-            let stroke = Stroke { change: change.map(|change| EXCURSION * change), ..stroke.clone() };
+            let stroke = Stroke { change: *change, ..stroke.clone() };
             let held = Extent { least_min: self.least_min(&stroke, 1.0), ..extent };
             self.bounds(programmed, &stroke, &held).0
         };

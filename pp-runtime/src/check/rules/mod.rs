@@ -16,7 +16,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::{Vector1, Vector3};
 
 use crate::check::tolerances::{AXIS_NOISE, RETRACT_ALONG_TOOL, SAME_COORDINATE, SAME_LINEAR_WORD, TIP_NOISE};
-use crate::kinematics::{AnyMachine, Axis, AxisKind, Limits, Side};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
 use crate::program::{Feed, Units};
 
 use super::expect::{ClMotion, Required};
@@ -89,7 +89,6 @@ impl<'a> Rules<'a> {
         let rounding = Rounding::new(&*machine, policy, units, words.rotary_bits().count_ones());
         let bits = (words.linear_bits(), words.rotary_bits());
         let law = FeedLaw::new(&*machine, policy, &facts, units, bits, (rounding.unit_mm, rounding.unit_rad));
-        let first_rotary = (0..machine.axes().len()).find(|&index| is_solved(&machine.axes()[index], AxisKind::Rotary));
         Self {
             policy,
             facts,
@@ -105,7 +104,7 @@ impl<'a> Rules<'a> {
                 _ => bits,
             }),
             largest_rest_rad: largest_rest_rad(&*machine, policy),
-            pole: first_rotary.map(|index| machine.joint(index).direction.into_inner()),
+            pole: first_rotary(&*machine).map(|index| machine.joint(index).direction.into_inner()),
             retracts_along_tool: retracts_along_tool(&*machine),
             even_end: Cell::new(None),
             meaning: policy.linear_of_all().unwrap_or(LinearMeaning::AxisPositions),
@@ -414,11 +413,12 @@ impl<'a> Rules<'a> {
         if law.may_move(stroke) { along().map(|_| on_the_spot) } else { Some(on_the_spot) }
     }
 
-    /// How the axes may move between two poses; none near a pole, where the rotary axes rotate by much more than the tool axis.
+    /// How far the axes may move between two poses. Near a pole the control chooses how far the rotary axes rotate: by any angle
+    /// that a rest at the pole may have.
     fn changes(&self, ends: &[ToolPose; 2]) -> Vec<[f64; MAX_AXES]> {
         let turn = angle_between(&ends[0].axis, &ends[1].axis);
         let far = ends.iter().all(|end| self.off_pole_rad(&end.axis) > 2.0 * turn);
-        if far { self.words.changes(ends) } else { Vec::new() }
+        if far { self.words.changes(ends) } else { self.words.changes_near_pole(ends, self.largest_rest_rad()) }
     }
 
     /// Whether the words of the block mirror the plane of the path: left of the words is right of the path.
@@ -579,11 +579,16 @@ fn corner(machine: &dyn AnyMachine) -> f64 {
     signs.fold(0.0, f64::max)
 }
 
-/// Half a revolution leads to every position at a pole; between its limits an axis may have to go the longer way.
+/// The axis that rotates at a pole.
+fn first_rotary(machine: &dyn AnyMachine) -> Option<usize> {
+    (0..machine.axes().len()).find(|&index| is_solved(&machine.axes()[index], AxisKind::Rotary))
+}
+
+/// Half a revolution leads to every position at a pole; between its limits the axis may have to go the longer way.
 fn largest_rest_rad(machine: &dyn AnyMachine, policy: &CheckPolicy) -> f64 {
     let limits = policy.set_up.travel(machine.axes()).limits;
-    let limited = |(axis, limits): (&Axis, &Option<Limits>)| limits.is_some() && is_solved(axis, AxisKind::Rotary);
-    if machine.axes().iter().zip(&limits).any(limited) { TAU } else { PI }
+    let limited = first_rotary(machine).is_some_and(|index| limits[index].is_some());
+    if limited { TAU } else { PI }
 }
 
 /// Whether linear words are coordinates of the tip, or of a tilted plane.

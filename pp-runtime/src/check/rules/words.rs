@@ -9,7 +9,7 @@ use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector3};
 use super::super::geometry::{Chain, Swing, ToolPose};
 use super::super::policy::{CheckPolicy, TipFrame};
 use super::super::read::{MAX_AXES, State, TipControl, set_bits};
-use crate::check::tolerances::EQUAL_TOOL_SHARE;
+use crate::check::tolerances::{EQUAL_TOOL_SHARE, EXCURSION};
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::set_up::{LengthMode, ProgramZero};
 
@@ -27,6 +27,9 @@ const UNREACHED: f64 = 0.1;
 /// Largest damping. It falls with the square of the distance that is left: so an axis that hardly rotates the tool is left alone
 /// while the tool has far to go, and near the pole the last steps converge all the same.
 const DAMPED: f64 = 1e-8;
+
+/// Angles at which the axes are looked at while a rotary axis rotates near the pole.
+const POLE_PARTS: u32 = 16;
 
 /// Words and axis values of one machine, set-up and tool, by position in the chain.
 #[derive(Debug, Clone)]
@@ -361,20 +364,51 @@ impl Words {
         Some(values)
     }
 
-    /// Changes of the axis values from one pose to another, for each position that was found; the poses are nearer to each other
+    /// How far the axes may move from one pose to another, for each position that was found; the poses are nearer to each other
     /// than to a pole.
     pub(crate) fn changes(&self, [from, to]: &[ToolPose; 2]) -> Vec<[f64; MAX_AXES]> {
-        let change = |seed: [f64; 2]| {
-            let mut words = [0.0; MAX_AXES];
-            self.rotary().zip(seed).for_each(|(index, value)| words[index] = value);
-            let start = self.rotated_to(&words, &from.axis, 0.0)?;
+        let change = |start: [f64; MAX_AXES]| {
             let end = self.rotated_to(&start, &to.axis, 0.0)?;
             let [start, end] =
                 [(start, from), (end, to)].map(|(words, pose)| self.axes_at(pose.tip, self.values(&words)));
             let (start, end) = (start?, end?);
-            Some(std::array::from_fn(|index| end[index] - start[index]))
+            Some(std::array::from_fn(|index| EXCURSION * (end[index] - start[index])))
         };
-        [[0.6, 0.6], [0.6, -0.6], [-2.5, 0.6], [-2.5, -0.6]].into_iter().filter_map(change).collect()
+        self.positions(&from.axis).filter_map(change).collect()
+    }
+
+    /// The same near a pole, where the first rotary axis may rotate by any angle up to `largest_rad`, and the other one may go
+    /// through the pole.
+    pub(crate) fn changes_near_pole(&self, [from, to]: &[ToolPose; 2], largest_rad: f64) -> Vec<[f64; MAX_AXES]> {
+        let Some(first) = self.rotary().next() else { return Vec::new() };
+        let ends: Vec<_> = self.positions(&to.axis).collect();
+        let starts = self.positions(&from.axis);
+        let pairs = starts.flat_map(|start| ends.iter().map(move |end| (start, *end)));
+        let rotated = pairs.flat_map(|(start, end)| {
+            (0..=POLE_PARTS).map(move |part| {
+                let mut end = end;
+                end[first] = start[first] + largest_rad * (2.0 * f64::from(part) / f64::from(POLE_PARTS) - 1.0);
+                (start, end)
+            })
+        });
+        let change = |(start, end): ([f64; MAX_AXES], [f64; MAX_AXES])| {
+            let [before, after] =
+                [(start, from), (end, to)].map(|(words, pose)| self.axes_at(pose.tip, self.values(&words)));
+            let (before, after) = (before?, after?);
+            let factor = |index: usize| if index == first { 1.0 } else { EXCURSION };
+            Some(std::array::from_fn(|index| factor(index) * (after[index] - before[index])))
+        };
+        rotated.filter_map(change).collect()
+    }
+
+    /// Words whose rotary axes give the tool this axis, found from one angle of each sense of the two.
+    fn positions(&self, axis: &Vector3<f64>) -> impl Iterator<Item = [f64; MAX_AXES]> {
+        let found = |seed: [f64; 2]| {
+            let mut words = [0.0; MAX_AXES];
+            self.rotary().zip(seed).for_each(|(index, value)| words[index] = value);
+            self.rotated_to(&words, axis, 0.0)
+        };
+        [[0.6, 0.6], [0.6, -0.6], [-2.5, 0.6], [-2.5, -0.6]].into_iter().filter_map(found)
     }
 
     fn linear_three(&self) -> Option<[usize; 3]> {

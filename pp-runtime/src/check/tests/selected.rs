@@ -322,6 +322,18 @@ fn a_siemens_stops_where_the_radius_of_the_edge_is_more_than_wear_and_the_path_i
     assert!(!posted_right::<Mill>(control, mode, &gauge, contour()).contains("$P_TOOLR"));
 }
 
+/// LinuxCNC refuses the level after a hole under cutter compensation.
+#[test]
+fn a_linuxcnc_sets_no_level_after_a_hole_while_cutter_compensation_is_on() {
+    let set_up = CENTRE.replace("centre", "contour");
+    let program = posted_right::<Mill>("linuxcnc", Mode::Axes, &set_up, contour());
+    for code in ["G98", "G99"] {
+        let added = program.replacen("\nX30", &format!("\n{code} X30"), 1);
+        let found = again::<Mill>("linuxcnc", Mode::Axes, &set_up, contour(), &added);
+        assert!(found.iter().any(|text| text.contains("the control refuses it")), "{found:?}\n{added}");
+    }
+}
+
 #[test]
 fn tools_are_called_by_their_names_where_the_control_can() {
     let data = contour().replace("CUTCOM/LEFT\n", "").replace("CUTCOM/OFF\n", "");

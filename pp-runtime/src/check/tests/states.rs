@@ -121,3 +121,67 @@ fn the_tool_comes_back_from_a_rewind_at_its_own_feed() {
         assert_told::<Tables>(control, Mode::Axes, set_up, &data, &program.replace("F900", "F700"));
     }
 }
+
+/// Two operations; the rotary axes rotate before each.
+const TWO_INDEXINGS: &str = "UNITS/MM\nMULTAX/ON\nTOOL PATH/A,TOOL,T1\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\n\
+                             GOTO/0,0,50,0.5,0,0.8660254\nGOTO/0,0,0\nGOTO/20,0,0\nTOOL PATH/B,TOOL,T2\nLOADTL/2\n\
+                             SPINDL/RPM,1000,CLW\nRAPID\nGOTO/0,9,50,0,0.5,0.8660254\nGOTO/0,9,0\nGOTO/20,9,0\n";
+
+/// The linear axes go home for a rotation, and for nothing else.
+#[test]
+fn linear_axes_that_go_home_where_nothing_rotates_are_found() {
+    let set_up = "retract = { distance = 37.0, home_on_indexing = true, xy = { X = 10.0, Y = -50.0 } }\n";
+    for (control, home) in [("fanuc", "G53 G0 X10. Y-50.\n"), ("linuxcnc", "G53 G0 X10 Y-50\n")] {
+        let program = posted_right::<Tables>(control, Mode::Axes, set_up, TWO_INDEXINGS);
+        assert_eq!(program.matches(home).count(), 2, "{program}");
+        let at = program.find("\nM5\n").expect("the spindle stops before the tool change") + 1;
+        let added = format!("{}{home}{}", &program[..at], &program[at..]);
+        let found = again::<Tables>(control, Mode::Axes, set_up, TWO_INDEXINGS, &added);
+        assert!(found.iter().any(|text| text.contains("no rotary axis rotates")), "{found:?}\n{added}");
+    }
+}
+
+/// Each operation may be entered at its complete state: then the axes are where another program has left them.
+#[test]
+fn an_operation_programs_the_position_of_each_axis() {
+    // With the same tool and the same tool axis nothing has moved them.
+    let same = TWO_INDEXINGS.replace("0,0.5,0.8660254", "0.5,0,0.8660254").replace("T2\nLOADTL/2", "T1");
+    let program = posted_right::<Tables>("fanuc", Mode::Axes, "retract.distance = 37.0\n", &same);
+    let last = program.rfind(" C0.\n").expect("the rotary axes");
+    let without = format!("{}{}", &program[..last], &program[last + " C0.".len()..]);
+    let found = again::<Tables>("fanuc", Mode::Axes, "retract.distance = 37.0\n", &same, &without);
+    let text = "without the position of C, which must be programmed after its restart point";
+    assert!(found.iter().any(|found| found.contains(text)), "{found:?}\n{without}");
+}
+
+/// A word that moves nothing may stand beside those of the parking position.
+#[test]
+fn a_parking_block_may_repeat_a_word_of_a_linear_axis() {
+    let set_up = "retract.distance = 37\npark = { B = 0.0, C = 0.0 }\n";
+    let data = TWO_INDEXINGS;
+    let program = posted_right::<Tables>("fanuc", Mode::Axes, set_up, data);
+    let park = program.lines().rfind(|line| line.contains("B0.")).expect("the parking position");
+    let word = program.split_whitespace().rfind(|word| word.starts_with('X')).expect("the last X");
+    let repeated = program.replacen(&format!("{park}\nM30"), &format!("{park} {word}\nM30"), 1);
+    assert_ne!(repeated, program, "{program}");
+    assert_eq!(again::<Tables>("fanuc", Mode::Axes, set_up, data, &repeated), [""; 0]);
+    let other = program.replacen(&format!("{park}\nM30"), &format!("{park} X1.\nM30"), 1);
+    assert_told::<Tables>("fanuc", Mode::Axes, set_up, data, &other);
+}
+
+/// With tool vectors the control finds the rotary angles: a clamp is released for each of them, and F is no lower than half a
+/// revolution at the pole asks for.
+#[test]
+fn with_tool_vectors_near_the_pole_clamps_and_f_are_compared() {
+    let set_up = "retract.distance = 50\ntcp_frame = \"table_at_zero\"\ntcp_confirmed = true\ntcp_words = \"vectors\"\n\
+                  speeds = { C = 3600.0 }\nclamp.B = { on = \"M68\", off = \"M69\" }\n";
+    let data = "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/900,MMPM\nGOTO/0,0,20,0.0144,0.0003,0.9998963\n\
+                GOTO/6,0,20,0.0002,0,0.99999998\nGOTO/12,0,20,-0.0055,0.0019,0.99998307\n\
+                GOTO/18,0,20,-0.0144,-0.0042,0.9998875\n";
+    let program = posted_right::<Tables>("fanuc", Mode::Tcp, set_up, data);
+    assert!(program.contains("F900."), "{program}");
+    assert_told::<Tables>("fanuc", Mode::Tcp, set_up, data, &program.replace("F900.", "F100."));
+    let last = program.lines().rfind(|line| line.contains(" K0.")).expect("a block with a tool vector");
+    let clamped = program.replace(&format!("{last}\n"), &format!("M68\n{last}\n"));
+    assert_told::<Tables>("fanuc", Mode::Tcp, set_up, data, &clamped);
+}

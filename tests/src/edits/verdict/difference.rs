@@ -89,7 +89,7 @@ pub(super) fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> O
         (Effect::Shop(one), Effect::Shop(other)) => hard(one != other, "the code of the shop"),
         (Effect::Stop | Effect::OptionalStop | Effect::End | Effect::OffsetGuard, _) => None,
         _ => worst([
-            effect_difference(one, other, old, allowed),
+            effect_difference((one, old), (other, new), allowed),
             moved(was, is, allowed),
             hard(goes_over_low(is, allowed) && !goes_over_low(was, allowed), "the level over a hole"),
             state_difference(was, is, allowed),
@@ -166,11 +166,17 @@ fn other_state(was: &Event<'_>, is: &Event<'_>) -> Option<Difference> {
     ])
 }
 
-fn effect_difference(one: &Effect, other: &Effect, state: &State, allowed: Allowed) -> Option<Difference> {
+fn effect_difference(
+    (one, was): (&Effect, &State),
+    (other, is): (&Effect, &State),
+    allowed: Allowed,
+) -> Option<Difference> {
     match (one, other) {
-        (Effect::Arc(one), Effect::Arc(other)) => arc_difference(one, other, state, allowed),
+        (Effect::Arc(one), Effect::Arc(other)) => arc_difference(one, other, was, allowed),
         (Effect::Hole(one), Effect::Hole(other)) => hole_difference(one, other, allowed),
         (Effect::Home(one), Effect::Home(other)) => hard(one != other, "the way to the reference point"),
+        // Zero and axes of the plane are in the offset.
+        (Effect::Orient, Effect::Orient) => hard(was.work_offset != is.work_offset, "the work offset at a plane call"),
         _ => None,
     }
 }
@@ -306,13 +312,20 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
     // Rounded ends do not show the length of a short straight motion better.
     let straight = was.block.effect == Effect::Feed && length > 0.0;
     let rounding = if straight { 6.0 * allowed.unit / length } else { 0.0 };
+    // Whether the largest speeds of the axes hold it back depends on them.
+    let found_by_control = allowed.axis_speeds && old.vector.is_some() && new.vector.is_some();
     let feed = match (was.block.feed(), is.block.feed()) {
         (Some(Feed::PerMinute(was)), Some(Feed::PerMinute(is)))
         | (Some(Feed::InverseTime(was)), Some(Feed::InverseTime(is)))
         | (Some(Feed::PerRevolution(was)), Some(Feed::PerRevolution(is)))
             if !short =>
         {
-            compared("F", was, is, rounding.max(0.0101) * was)
+            let largest = rounding.max(0.0101);
+            if found_by_control && is <= 2.0 * was && was <= 2.0 * is {
+                soft((was - is).abs() > largest * was, "F of a block whose rotary angles the control finds")
+            } else {
+                compared("F", was, is, largest * was)
+            }
         }
         (Some(was), Some(is)) if short => soft(was != is, "F of a motion within tolerance"),
         (was, is) => hard(was != is, "the feed mode"),

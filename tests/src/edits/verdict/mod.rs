@@ -35,6 +35,8 @@ pub struct Allowed {
     /// Where words under tip control are coordinates of the tip on the workpiece: the tool axis, which decides whether a
     /// rotary axis is free.
     pub tool_axis: Option<ToolAxis>,
+    /// Largest speeds of axes hold back F.
+    pub axis_speeds: bool,
     /// A control that is switched on is in continuous path mode.
     pub starts_continuous: bool,
     /// Letters of the axes with the clamp of M10 and M11, and with that of M68 and M69.

@@ -70,6 +70,9 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     if is_retracted_further(is, index) && added() {
         return undecided("another axis in machine coordinates after a retract");
     }
+    if in_one_of_both(&|events| is_home_without_rotation(events, index)) {
+        return undecided("home positions where nothing rotates");
+    }
     if in_parts(&|whole, parts| is_arc_in_parts(whole, parts, allowed)) {
         return undecided("an arc in two parts");
     }
@@ -151,7 +154,9 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
 fn is_way_out_before_stop(events: &[Event<'_>], index: usize) -> bool {
     let Some((out, rest)) = events.get(index..).and_then(<[_]>::split_first) else { return false };
     let stops = rest.iter().take_while(|event| event.block.effect.stops()).count();
-    let retract = rest.get(stops).filter(|event| event.block.effect == Effect::Machine);
+    let guard = |event: &&Event<'_>| event.block.effect == Effect::OffsetGuard;
+    let retract =
+        rest[stops..].iter().find(|event| !guard(event)).filter(|event| event.block.effect == Effect::Machine);
     out.block.effect == Effect::Rapid
         && stops > 0
         && out.block.words.len() == 1
@@ -199,6 +204,18 @@ fn is_retracted_further(events: &[Event<'_>], index: usize) -> bool {
     let retract = |event: &Event<'_>| event.block.effect == Effect::Machine;
     let before = events.get(..index).unwrap_or_default().iter().rev().find(|event| event.block.effect.moves());
     events.get(index).is_some_and(retract) && before.is_some_and(retract)
+}
+
+/// Whether linear axes go to machine coordinates after a retract, and the next motion rotates nothing.
+fn is_home_without_rotation(events: &[Event<'_>], index: usize) -> bool {
+    let next = events.get(index + 1..).unwrap_or_default().iter().find(|event| event.block.effect.moves());
+    let rotates = |next: &Event<'_>| {
+        next.block
+            .words
+            .letters()
+            .any(|letter| is_rotary(letter) && next.rotary.get(letter) != next.block.state.position.get(letter))
+    };
+    is_retracted_further(events, index) && !next.is_some_and(rotates)
 }
 
 /// Whether a rapid of rotary axes follows a retract, and the next rapid has other words for them.
@@ -294,21 +311,23 @@ fn is_parked_in_another_order(was: &[Event<'_>], is: &[Event<'_>], index: usize)
     })
 }
 
-/// Whether a rapid ends over the next hole, and the cycle alone would bring the tool there above its reference level.
+/// Whether a rapid ends over the next hole, and the cycle alone would bring the tool there above its reference level, or along the
+/// hole.
 fn is_over_next_hole(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
     let Some([rapid, next]) = events.get(index..index + 2) else { return false };
     let Effect::Hole(hole) = next.block.effect else { return false };
-    let near = |letter| match [rapid, next].map(|event| event.block.state.position.get(letter)) {
-        [Some(one), Some(two)] => (one - two).abs() <= allowed.linear,
-        _ => false,
+    let is_over = |state: &State| {
+        ['X', 'Y'].iter().all(|&letter| match [state, &next.block.state].map(|state| state.position.get(letter)) {
+            [Some(one), Some(two)] => (one - two).abs() <= allowed.linear,
+            _ => false,
+        })
     };
     let above = |state: &State| state.position.get('Z').is_some_and(|z| z >= hole.cycle.reference - allowed.linear);
     matches!(rapid.block.effect, Effect::Rapid | Effect::Feed)
         && !rapid.block.words.letters().any(is_rotary)
-        && near('X')
-        && near('Y')
-        && above(rapid.before)
+        && is_over(&rapid.block.state)
         && above(&rapid.block.state)
+        && (above(rapid.before) || is_over(rapid.before))
 }
 
 /// Whether one of two blocks is a code of the shop.
@@ -404,11 +423,25 @@ fn share_on_line(from: &Axes, here: &Axes, to: &Axes, allowed: Allowed) -> Optio
 fn on_the_line(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
     let Some(next) = events.get(index + 1) else { return false };
     let this = &events[index];
+    let tips = [this.before, &next.block.state].iter().all(|state| state.under_tip_control());
+    let axis = allowed.tool_axis.filter(|_| tips);
     let alike =
         matches!((this.block.effect, next.block.effect), (Effect::Rapid, Effect::Rapid) | (Effect::Feed, Effect::Feed));
     if !alike || this.block.feed() != next.block.feed() || state_difference(this, next, allowed).is_some() {
         return false;
     }
     let [from, here, to] = [&this.before.position, &this.block.state.position, &next.block.state.position];
-    share_on_line(from, here, to, allowed).is_some_and(|share| (0.0..=1.0).contains(&share))
+    let is_between = |allowed| share_on_line(from, here, to, allowed).filter(|share| (0.0..=1.0).contains(share));
+    let with_tool_axis = || {
+        // Near the pole a rotary axis may be far off where the tool axis is not.
+        let (tool_axis, share) = (axis?, is_between(Allowed { rotary_deg: 360.0, ..allowed })?);
+        let mut even = *here;
+        for (letter, from) in from.iter().filter(|(letter, _)| is_rotary(*letter)) {
+            even.set(letter, from + share * (to.get(letter)? - from));
+        }
+        let [one, other] = [tool_axis(here)?, tool_axis(&even)?];
+        let cosine: f64 = one.iter().zip(&other).map(|(one, other)| one * other).sum();
+        (cosine >= allowed.rotary_deg.to_radians().cos()).then_some(())
+    };
+    is_between(allowed).is_some() || with_tool_axis().is_some()
 }

@@ -146,6 +146,9 @@ impl Machine {
                 }
                 self.length(command)?;
             }
+            Meaning::LengthWithTipControl(_) if self.control == Control::Haas && state.under_tip_control() => {
+                return Err("tip control while it is on".to_owned());
+            }
             Meaning::LengthWithTipControl(vectors) => {
                 // On Fanuc P states it in the same block, or else a parameter of the machine decides.
                 if !command.meanings.iter().any(|meaning| matches!(meaning, Meaning::Interpolation(_))) {

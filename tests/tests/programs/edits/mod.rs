@@ -251,6 +251,11 @@ fn judged(posted: &Posted, edit: &Edit, order: bool, tally: &mut Tally) -> Optio
             tally.passed_refused += usize::from(found.is_none());
             found.is_none().then(|| failure("refused, not found", control, posted, edit, &why, "none"))
         }
+        // The traces begin with a control that is in no state of a program before.
+        (Verdict::Harmless, Some(found)) if found.contains("from a program before") => {
+            tally.undecided += 1;
+            None
+        }
         (Verdict::Harmless, found) => {
             tally.harmless += 1;
             tally.falsely_found += usize::from(found.is_some());

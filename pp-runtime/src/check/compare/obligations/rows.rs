@@ -19,6 +19,10 @@ pub(in super::super) enum DutyEvent {
     ShopLine,
     /// GOHOME.
     Home,
+    /// The linear axes move to their home positions, for a rotation.
+    LinearHome,
+    /// A block at the retract with rotary words.
+    RotaryWords,
     /// A motion of the CL data, as a rapid or not.
     Motion,
     BlockSkip,
@@ -55,6 +59,7 @@ pub(in crate::check) enum Duty {
     PlaneGuard,
     OffsetGuard,
     CycleAtLevel,
+    RotationAfterHome,
     // What follows is not owed after an event, but seen where it is needed.
     /// The tool is away from the part.
     Away,
@@ -80,6 +85,7 @@ pub(in crate::check) enum Duty {
     SpindleStated,
     LengthGuard,
     ClampsStated,
+    AxesStated,
     Blank,
 }
 
@@ -163,7 +169,7 @@ fn has_own_tip_control(policy: &CheckPolicy) -> bool {
 
 /// What is owed, after what, and until what.
 #[rustfmt::skip]
-pub(super) const OWED: [Owed; 11] = [
+pub(super) const OWED: [Owed; 12] = [
     owed(Duty::CompleteState, &[DutyEvent::Begin, DutyEvent::Motion, DutyEvent::BlockSkip], &[DutyEvent::CompleteState], |_| true),
     owed(Duty::Retract, &[DutyEvent::Begin, DutyEvent::CompleteState, DutyEvent::PositionLost, DutyEvent::ShopLine, DutyEvent::BlockSkip], &[DutyEvent::Retract], |_| true),
     owed(Duty::RetractAfterShopLine, &[DutyEvent::ShopLine], &[DutyEvent::Retract], |_| true),
@@ -175,11 +181,12 @@ pub(super) const OWED: [Owed; 11] = [
     owed(Duty::PlaneGuard, &[DutyEvent::PlaneCall], &[DutyEvent::PlaneGuard, DutyEvent::Retract, DutyEvent::PositionLost], |policy| policy.shop.guards_planes),
     owed(Duty::OffsetGuard, &[DutyEvent::Begin, DutyEvent::CompleteState], &[DutyEvent::OffsetGuard], |policy| policy.shop.guards_offset),
     owed(Duty::CycleAtLevel, &[DutyEvent::LevelOfCycle], &[DutyEvent::Cycle, DutyEvent::Motion], |_| true),
+    owed(Duty::RotationAfterHome, &[DutyEvent::LinearHome], &[DutyEvent::RotaryWords, DutyEvent::PlaneCall], |_| true),
 ];
 
 /// What must be so at each place.
 #[rustfmt::skip]
-pub(in crate::check) const NEEDED: [Needed; 56] = [
+pub(in crate::check) const NEEDED: [Needed; 59] = [
     needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
     needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
@@ -188,6 +195,7 @@ pub(in crate::check) const NEEDED: [Needed; 56] = [
     needed(DutyPlace::ToolChange, Duty::Retract, always, "tool change before the machine has retracted"),
     needed(DutyPlace::ToolChange, Duty::AtChangePosition, always, ""),
     needed(DutyPlace::ToolChange, Duty::ApproachEnded, always, ""),
+    needed(DutyPlace::ToolChange, Duty::RotationAfterHome, always, NEEDLESS_HOME),
     needed(DutyPlace::ToolChange, Duty::CutsEnded, always, ""),
 
     needed(DutyPlace::Stop, Duty::OperationEnded, always, ""),
@@ -197,6 +205,7 @@ pub(in crate::check) const NEEDED: [Needed; 56] = [
     needed(DutyPlace::Stop, Duty::Retracted, stops_retracted, "program stop before the machine has retracted"),
     needed(DutyPlace::Stop, Duty::StateAtEnd, stops_retracted, ""),
     needed(DutyPlace::Stop, Duty::ApproachEnded, always, ""),
+    needed(DutyPlace::Stop, Duty::RotationAfterHome, always, NEEDLESS_HOME),
 
     needed(DutyPlace::Copied, Duty::OperationEnded, always, ""),
     needed(DutyPlace::Copied, Duty::CutsEnded, always, ""),
@@ -220,6 +229,7 @@ pub(in crate::check) const NEEDED: [Needed; 56] = [
 
     needed(DutyPlace::RetractOfStart, Duty::Parking, always, ""),
     needed(DutyPlace::RetractOfStart, Duty::OffsetGuard, always, ""),
+    needed(DutyPlace::RetractOfStart, Duty::RotationAfterHome, always, NEEDLESS_HOME),
     needed(DutyPlace::RetractOfStart, Duty::TipControlOff, always, "tip control may be on: its code off is missing after the restart point and before the retract"),
 
     needed(DutyPlace::ApproachStep, Duty::PlaneGuard, always, ""),
@@ -231,13 +241,13 @@ pub(in crate::check) const NEEDED: [Needed; 56] = [
     needed(DutyPlace::Operation, Duty::Retract, always, "operation starts without the machine retract after its restart point"),
     needed(DutyPlace::Operation, Duty::LengthGuard, always, ""),
     needed(DutyPlace::Operation, Duty::ClampsStated, always, ""),
+    needed(DutyPlace::Operation, Duty::AxesStated, has_safety_line, ""),
     needed(DutyPlace::Operation, Duty::TipControlOff, always, "tip control may be on: its code off is missing after the restart point and before the retract"),
-    needed(DutyPlace::Operation, Duty::OffsetGuard, always, ""),
     needed(DutyPlace::Operation, Duty::Blank, always, ""),
 
     needed(DutyPlace::Feed, Duty::SpindleDwell, always, "the dwell after the start of the spindle (`spindle_dwell`) is missing"),
     needed(DutyPlace::Cut, Duty::SpindleAgain, always, SPINDLE_AGAIN),
-    needed(DutyPlace::Cut, Duty::OffsetGuard, always, ""),
+    needed(DutyPlace::Cut, Duty::RotationAfterHome, always, NEEDLESS_HOME),
     needed(DutyPlace::Cut, Duty::CycleAtLevel, always, "the tool has come to the level of a cycle, and this is none"),
     needed(DutyPlace::Cycle, Duty::SpindleAgain, always, SPINDLE_AGAIN),
 
@@ -249,4 +259,6 @@ pub(in crate::check) const NEEDED: [Needed; 56] = [
     needed(DutyPlace::End, Duty::ParkingAtEnd, always, ""),
 ];
 
+const NEEDLESS_HOME: &str =
+    "the linear axes have moved to their home positions (`home_on_indexing`), and no rotary axis rotates";
 const SPINDLE_AGAIN: &str = "the control has switched the spindle off after the cycle: M3 or M4 is missing";
