@@ -31,7 +31,7 @@ pub(super) struct FunctionState {
     /// Rotary axes whose clamps have been switched since a complete state began: bits.
     clamps_stated: u16,
     /// Tool axis of the last block at the part.
-    vector: Option<Vector3<f64>>,
+    tool_axis: Option<Vector3<f64>>,
     /// Rotary axes that have moved since the approach, and those that were not clamped in a cut: bits.
     moved: u16,
     unclamped: u16,
@@ -318,13 +318,17 @@ impl FunctionState {
             if !block.action.is_rapid() {
                 self.unclamped |= clamps & !state.clamped;
             }
-            let before = std::mem::replace(&mut self.vector, state.vector);
-            // The first tool axis may be the one of the approach.
-            let stays = || before.is_none() && rules.is_at_tool_axis(&block.values, &rules.pose(block).axis);
-            if state.vector.is_some() && before != state.vector && !stays() {
-                rotated = clamps;
+            let axis = state.vector.map(|_| rules.pose(block).axis);
+            let before = std::mem::replace(&mut self.tool_axis, axis);
+            self.moved |= moved;
+            if let Some(to) = axis.filter(|_| before != axis) {
+                // The first tool axis may be the one of the approach.
+                let from = before.unwrap_or_else(|| rules.words().tool_axis_at(&block.values));
+                if before.is_some() || !rules.is_axis_near(&from, &to, 1.0) {
+                    self.moved = u16::MAX;
+                    rotated |= rules.rotated_for(&from, &to);
+                }
             }
-            self.moved |= moved | if state.vector.is_some() { rotated } else { 0 };
         }
         if let Some(interrupted) = &mut self.interrupted {
             interrupted.rewound |= rotated;
@@ -340,7 +344,7 @@ impl FunctionState {
     pub(super) fn interrupt_cuts(&mut self) {
         let (unclamped, moved) = (std::mem::take(&mut self.unclamped), std::mem::take(&mut self.moved));
         self.interrupted = Some(InterruptedCuts { unclamped, moved, rewound: 0 });
-        self.vector = None;
+        self.tool_axis = None;
     }
 
     /// The cuts go on after a rewind.
@@ -358,7 +362,7 @@ impl FunctionState {
 
     /// What is wrong with the clamps of the motions between two approaches.
     pub(super) fn end_of_cuts(&mut self, rules: &Rules<'_>) -> Option<String> {
-        self.vector = None;
+        self.tool_axis = None;
         loose(rules, std::mem::take(&mut self.unclamped) & !std::mem::take(&mut self.moved))
     }
 }

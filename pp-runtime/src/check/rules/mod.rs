@@ -260,11 +260,6 @@ impl<'a> Rules<'a> {
         self.words.place(words, &block.state)
     }
 
-    /// Whether rotary words have a tool axis.
-    pub(super) fn is_at_tool_axis(&self, words: &[f64; MAX_AXES], axis: &Vector3<f64>) -> bool {
-        self.is_axis_near(&self.words.tool_axis_at(words), axis, 1.0)
-    }
-
     /// Whether a pose is another, apart from rounding.
     pub(super) fn is_at(&self, here: &ToolPose, there: &ToolPose) -> bool {
         self.is_near(here, there, [1.0; 2])
@@ -419,6 +414,11 @@ impl<'a> Rules<'a> {
         let turn = angle_between(&ends[0].axis, &ends[1].axis);
         let far = ends.iter().all(|end| self.off_pole_rad(&end.axis) > 2.0 * turn);
         if far { self.words.changes(ends) } else { self.words.changes_near_pole(ends, self.largest_rest_rad()) }
+    }
+
+    /// Rotary axes that rotate from one tool axis to another, in each position that they may have: bits.
+    pub(super) fn rotated_for(&self, from: &Vector3<f64>, to: &Vector3<f64>) -> u16 {
+        self.words.rotated_for([from, to], self.policy.links.index_angle_rad + 1.5 * self.rounding.unit_rad)
     }
 
     /// Whether the words of the block mirror the plane of the path: left of the words is right of the path.

@@ -401,6 +401,16 @@ impl Words {
         rotated.filter_map(change).collect()
     }
 
+    /// Rotary axes that rotate by more than an angle from one tool axis to another, in each position that was found: bits.
+    pub(crate) fn rotated_for(&self, [from, to]: [&Vector3<f64>; 2], largest_rad: f64) -> u16 {
+        let rotated = |start: [f64; MAX_AXES]| {
+            let end = self.rotated_to(&start, to, 0.0)?;
+            let rotates = |index: &usize| (end[*index] - start[*index]).abs() > largest_rad;
+            Some(self.rotary().filter(rotates).fold(0, |bits, index| bits | 1 << index))
+        };
+        self.positions(from).filter_map(rotated).reduce(|all, bits| all & bits).unwrap_or(0)
+    }
+
     /// Words whose rotary axes give the tool this axis, found from one angle of each sense of the two.
     fn positions(&self, axis: &Vector3<f64>) -> impl Iterator<Item = [f64; MAX_AXES]> {
         let found = |seed: [f64; 2]| {

@@ -177,7 +177,7 @@ fn with_tool_vectors_near_the_pole_clamps_and_f_are_compared() {
                   speeds = { C = 3600.0 }\nclamp.B = { on = \"M68\", off = \"M69\" }\n";
     let data = "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/900,MMPM\nGOTO/0,0,20,0.0144,0.0003,0.9998963\n\
                 GOTO/6,0,20,0.0002,0,0.99999998\nGOTO/12,0,20,-0.0055,0.0019,0.99998307\n\
-                GOTO/18,0,20,-0.0144,-0.0042,0.9998875\n";
+                GOTO/18,0,20,-0.3,-0.0042,0.9539300\n";
     let program = posted_right::<Tables>("fanuc", Mode::Tcp, set_up, data);
     assert!(program.contains("F900."), "{program}");
     assert_told::<Tables>("fanuc", Mode::Tcp, set_up, data, &program.replace("F900.", "F100."));

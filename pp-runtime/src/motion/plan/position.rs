@@ -30,6 +30,8 @@ pub(crate) struct Position {
     retracted: bool,
     /// It is there with the complete state and the tool of the operation that comes.
     prepared: bool,
+    /// The axes are at their parking positions, and nothing has moved them since.
+    parked: bool,
     /// Linear words are tip coordinates: tip control is on, or a plane is tilted.
     in_frame: bool,
     /// Length by which the CL data has led the tool out along its axis.
@@ -52,6 +54,7 @@ impl Position {
             worked_before_skip: false,
             retracted: false,
             prepared: false,
+            parked: false,
             in_frame: false,
             lead_out: LeadOut::default(),
             lowest: None,
@@ -84,6 +87,11 @@ impl Position {
     /// Whether the complete state and the tool of the operation that comes are in force.
     pub(crate) fn is_prepared(&self) -> bool {
         self.prepared
+    }
+
+    /// Whether the axes are at their parking positions.
+    pub(crate) fn is_parked(&self) -> bool {
+        self.parked
     }
 
     /// They are in force, at the machine retract.
@@ -141,6 +149,7 @@ impl Position {
         self.worked = true;
         self.retracted = false;
         self.prepared = false;
+        self.parked = false;
     }
 
     /// A block within a motion, or between two motions, has ended here.
@@ -150,9 +159,19 @@ impl Position {
     }
 
     /// The rotary axes are parked here; the next rotation begins here.
-    pub(crate) fn park(&mut self, place: AxisPosition) {
+    pub(crate) fn park_rotary(&mut self, place: AxisPosition) {
         self.place = place;
         self.moved = true;
+    }
+
+    /// All axes are parked, the retract axis at its retract position.
+    pub(crate) fn park(&mut self) {
+        self.parked = true;
+    }
+
+    /// Other axes have gone to other positions of the machine.
+    pub(crate) fn leave_parking(&mut self) {
+        self.parked = false;
     }
 
     /// Forgets the position: anything may have moved the machine.
@@ -161,6 +180,7 @@ impl Position {
         self.rotary_known = false;
         self.retracted = false;
         self.prepared = false;
+        self.parked = false;
         self.stopped = false;
     }
 
@@ -178,6 +198,7 @@ impl Position {
 
     /// Blocks that may be skipped begin or end here; skipped, a stop among them has not been.
     pub(crate) fn skip(&mut self, begins: bool) {
+        self.parked = false;
         if begins {
             self.worked_before_skip = self.worked;
         } else {
@@ -188,6 +209,7 @@ impl Position {
     /// Forgets that the retract axis is at its retract position.
     pub(crate) fn forget_retract(&mut self) {
         self.retracted = false;
+        self.parked = false;
     }
 
     /// The tool has left the part along its axis.
@@ -200,6 +222,7 @@ impl Position {
     pub(crate) fn enter(&mut self) {
         self.known = false;
         self.prepared = false;
+        self.parked = false;
         self.rotary_known = false;
     }
 

@@ -456,6 +456,7 @@ impl<S: Sink> Records<'_, '_, S> {
         position.forget();
         if !parks {
             position.retract();
+            position.park();
         }
         Ok(())
     }

@@ -270,7 +270,11 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
                     return soft(true, "the direction in which a rotary axis rotates");
                 }
                 let whole = ((one - other) / 360.0).round();
-                let rolled = if allowed.wraps && is_rotary(letter) { 360.0 * whole } else { 0.0 };
+                // A cut that begins and ends as many revolutions off is the same.
+                let begins = [was, is].map(|event| event.before.position.get(letter).unwrap_or_default());
+                let as_many = || !cuts || ((begins[0] - begins[1]) / 360.0).round() == whole;
+                let counts = is_rotary(letter) && (allowed.wraps || as_many());
+                let rolled = if counts { 360.0 * whole } else { 0.0 };
                 worst([
                     compared(&format!("{letter} of"), one, other + rolled, largest),
                     soft(rolled.abs() > 1.0, &format!("revolutions of {letter}")),

@@ -58,12 +58,10 @@ pub(super) fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>,
         let was = before;
         before = &block.state;
         // Without the length the axis may move (Fanuc and Haas).
-        if matches!((was.length, before.length), (Some(Length::Register(_)), Some(_)))
-            && was.length != before.length
-            && !block.effect.moves()
-            && was.position.contains('Z')
-        {
-            again.push("G49".to_owned());
+        let lengths = [was.length, before.length];
+        let calls = lengths.iter().any(|length| matches!(length, Some(Length::Register(_)))) && before.length.is_some();
+        if calls && lengths[0] != lengths[1] && !block.effect.moves() && was.position.contains('Z') {
+            again.push(format!("{:?}", before.length));
         }
         if before.spindle != was.spindle || matches!(block.effect, Effect::Spindle(_)) {
             again.push(format!("{:?} after {} actions", before.spindle, events.len()));
@@ -76,7 +74,7 @@ pub(super) fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>,
             // What it switches is compared where it matters, in the blocks that follow.
             Effect::Shop(code) if shop.obey(code) => again.push(format!("M{code} after {} actions", events.len())),
             // The order of these and a retract does not matter.
-            Effect::Shop(_) | Effect::Stop | Effect::OptionalStop | Effect::Guard { .. } => {
+            Effect::Shop(_) | Effect::Stop | Effect::OptionalStop | Effect::Guard { .. } | Effect::OffsetGuard => {
                 if block.effect.stops() {
                     rotary = Axes::default();
                 }

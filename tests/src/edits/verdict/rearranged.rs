@@ -76,6 +76,12 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     if in_parts(&|whole, parts| is_arc_in_parts(whole, parts, allowed)) {
         return undecided("an arc in two parts");
     }
+    if let (Some(one), Some(other)) = (was.get(index..index + 2), is.get(index..index + 2))
+        && are_turns_of_one_helix(one, other, allowed)
+        && all_agree(&was[index + 2..], &is[index + 2..])
+    {
+        return undecided("turns of one helix in another order");
+    }
     if in_one_of_both(&|events| is_way_out_before_stop(events, index)) {
         return undecided("a part of the retract before a stop");
     }
@@ -87,7 +93,9 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     {
         return undecided("axes park in another order");
     }
-    if in_one_of_both(&|events| is_over_next_hole(events, index, allowed)) {
+    let over_hole = |events: &[Event<'_>]| is_over_next_hole(events, index, allowed);
+    let both_over = || over_hole(was) && over_hole(is) && all_agree(&was[index + 1..], &is[index + 1..]);
+    if in_one_of_both(&over_hole) || both_over() {
         return undecided("a rapid over the next hole");
     }
     let turned = |event: &Event<'_>| is_turned_already(event, allowed) && event.block.words.letters().all(is_rotary);
@@ -187,7 +195,7 @@ fn is_idle(events: &[Event<'_>], index: usize) -> bool {
 fn is_free_of(wait: &Event<'_>, event: &Event<'_>) -> bool {
     let moves = event.block.effect.moves() && !event.block.effect.cuts();
     match wait.block.effect {
-        Effect::Dwell(_) => moves,
+        Effect::Dwell(_) => moves || matches!(event.block.effect, Effect::PlaneGuard { .. } | Effect::OffsetGuard),
         Effect::OffsetGuard => matches!(event.block.effect, Effect::Machine | Effect::ToolChange(_)),
         Effect::Guard { .. } => {
             let lengthless = matches!(event.block.effect, Effect::Orient | Effect::Machine)
@@ -260,6 +268,30 @@ fn is_arc_in_parts(whole: &Event<'_>, parts: &[Event<'_>], allowed: Allowed) -> 
         && !matches!(difference(whole, &same, allowed), Some(Hard(_)))
 }
 
+/// Whether two arcs about one centre are as long as two others, and end where these end.
+fn are_turns_of_one_helix(was: &[Event<'_>], is: &[Event<'_>], allowed: Allowed) -> bool {
+    let arcs = |events: &[Event<'_>]| match (events[0].block.effect, events[1].block.effect) {
+        (Effect::Arc(first), Effect::Arc(second)) => Some([first, second]),
+        _ => None,
+    };
+    let (Some(was_arcs), Some(is_arcs)) = (arcs(was), arcs(is)) else { return false };
+    let sweep = |arcs: &[Arc; 2]| arcs[0].sweep_deg + arcs[1].sweep_deg;
+    let centred = was_arcs
+        .iter()
+        .chain(&is_arcs)
+        .all(|arc| arc.centre.iter().zip(&was_arcs[0].centre).all(|(one, two)| (one - two).abs() <= allowed.linear));
+    centred
+        && (sweep(&was_arcs) - sweep(&is_arcs)).abs() < 1.0
+        && !matches!(
+            difference(
+                &was[1],
+                &Event { block: &Executed { effect: was[1].block.effect, ..*is[1].block }, ..is[1] },
+                allowed
+            ),
+            Some(Hard(_))
+        )
+}
+
 /// Whether a tool change brings the tool that is in the spindle, or is followed by another, before anything but retracts.
 fn is_extra_tool_change(events: &[Event<'_>], index: usize) -> bool {
     let again =
@@ -322,12 +354,13 @@ fn is_over_next_hole(events: &[Event<'_>], index: usize, allowed: Allowed) -> bo
             _ => false,
         })
     };
-    let above = |state: &State| state.position.get('Z').is_some_and(|z| z >= hole.cycle.reference - allowed.linear);
+    let least = |level: f64, state: &State| state.position.get('Z').is_some_and(|z| z >= level - allowed.linear);
+    let above = |state: &State| least(hole.cycle.reference, state);
+    let rises = || rapid.before.position.get('Z').is_some_and(|z| least(z, &rapid.block.state));
     matches!(rapid.block.effect, Effect::Rapid | Effect::Feed)
         && !rapid.block.words.letters().any(is_rotary)
         && is_over(&rapid.block.state)
-        && above(&rapid.block.state)
-        && (above(rapid.before) || is_over(rapid.before))
+        && (above(rapid.before) && above(&rapid.block.state) || is_over(rapid.before) && rises())
 }
 
 /// Whether one of two blocks is a code of the shop.

@@ -21,6 +21,9 @@ impl Machine {
             return self.home(command).map(Some);
         }
         if meanings.contains(&Meaning::MachineCoordinates) {
+            if meanings.contains(&Meaning::Call) {
+                return Err("a cycle is called at machine coordinates".to_owned());
+            }
             return self.move_in_machine_coordinates(command).map(Some);
         }
         if rigid {

@@ -186,7 +186,7 @@ pub(super) const OWED: [Owed; 12] = [
 
 /// What must be so at each place.
 #[rustfmt::skip]
-pub(in crate::check) const NEEDED: [Needed; 59] = [
+pub(in crate::check) const NEEDED: [Needed; 60] = [
     needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
     needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
@@ -255,6 +255,7 @@ pub(in crate::check) const NEEDED: [Needed; 59] = [
     needed(DutyPlace::End, Duty::ProgramEnded, always, ""),
     needed(DutyPlace::End, Duty::StateAtEnd, always, ""),
     needed(DutyPlace::End, Duty::ApproachEnded, always, ""),
+    needed(DutyPlace::End, Duty::RotationAfterHome, always, NEEDLESS_HOME),
     needed(DutyPlace::End, Duty::CutsEnded, always, ""),
     needed(DutyPlace::End, Duty::ParkingAtEnd, always, ""),
 ];

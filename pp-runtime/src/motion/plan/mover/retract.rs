@@ -177,10 +177,13 @@ impl<S: Sink> Mover<'_, S> {
         }
     }
 
-    /// Moves the axes to their park positions.
+    /// Moves the axes to their parking positions, where they are not there.
     pub(crate) fn park(&mut self) -> Planned {
+        if self.position.is_parked() {
+            return Ok(());
+        }
         if let Some(parked) = self.take_axes_to(&self.policy.options.park)? {
-            self.position.park(parked);
+            self.position.park_rotary(parked);
         }
         Ok(())
     }
@@ -199,6 +202,7 @@ impl<S: Sink> Mover<'_, S> {
     /// Returns the place where the rotary axes then are, if any of them has moved. The course goes on from where they were:
     /// blocks of the shop follow, or a tool change, after which their angles are unknown.
     fn take_axes_to(&mut self, positions: &BTreeMap<char, f64>) -> Result<Option<AxisPosition>, ItemError> {
+        self.position.leave_parking();
         let (turned, mask) = self.placer.parked(positions, self.position.place())?;
         if mask != 0 {
             // Behind tool vectors the control has the angles, and these words may rotate the axes.
