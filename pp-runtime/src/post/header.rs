@@ -476,7 +476,10 @@ impl Header<'_> {
             ProgramHeader::Full => self.full(assumptions, blank.as_ref()),
             ProgramHeader::Short => self.short(),
         };
+        // Not every control prints the marks of keys; a blank in their place would be two.
+        let marks = (self.job.control.spellings().comment.byte)(b'`') == b'`';
         for line in lines {
+            let line = if marks { line } else { line.replace('`', "") };
             encoder.comment(line.as_bytes())?;
         }
         encoder.start()
@@ -614,16 +617,30 @@ impl Header<'_> {
 
     /// Lines about kinematics, axes, limits, work offset and tools. `tolerances`: the line about motions with rotary axes.
     pub(crate) fn machine_lines(&self, tolerances: Option<String>) -> Vec<String> {
-        let config = self.job.config;
         let mut lines =
             vec![format!("KINEMATICS {} of pp-runtime {}", digest(self.machine), env!("CARGO_PKG_VERSION"))];
         lines.extend(self.dimensions());
         lines.extend((0..self.machine.axes().len()).map(|index| self.axis_line(index)));
         lines.extend(tolerances);
-        lines.extend(self.rotary_words());
-        lines.extend(mode_lines(self.machine, self.job.control, config, &self.survey.modes));
+        lines.extend(self.meanings());
         lines.extend(unchecked_limits(&self.unchecked));
         lines.extend(self.set_up_lines());
+        lines
+    }
+
+    /// Lines about what the words of axes mean, and the settings of the control for that.
+    fn meanings(&self) -> Vec<String> {
+        let mut lines: Vec<String> = self.rotary_words().into_iter().collect();
+        lines.extend(mode_lines(self.machine, self.job.control, self.job.config, &self.survey.modes));
+        lines
+    }
+
+    /// Lines that the set-up sheet has as well: what the control must hold for this program besides its conditions.
+    pub(crate) fn settings(&self) -> Vec<String> {
+        let mut lines = self.meanings();
+        lines.extend(rotary_entries(self.machine, self.job.control, self.job.config));
+        lines.extend(self.compensation());
+        lines.extend(self.fine_boring());
         lines
     }
 

@@ -120,6 +120,8 @@ pub struct Report {
     pub assumptions: Vec<String>,
     /// Conditions on the states of the control, one sentence each.
     pub conditions: Vec<String>,
+    /// What the words of axes mean, and what the control must hold for that, as in the header.
+    pub settings: Vec<String>,
     /// Linear axes whose limits were not checked, a retract whose way was not compared, and contours whose tool has no known radius,
     /// with the reason; empty if all were.
     pub unchecked: Vec<String>,
@@ -142,6 +144,8 @@ fn counted(count: u64, word: &str) -> String {
 impl Report {
     /// The report as far as the survey knows it.
     fn of(machine: &dyn AnyMachine, job: &Job<'_>, survey: &Survey) -> Self {
+        let units = job.config.output_units.or(survey.file.units).unwrap_or_default();
+        let header = header::Header { job, survey, units, machine, unchecked: Vec::new() };
         let mut report = Self {
             tools: survey.tools.iter().map(|tool| tool.call.number).collect(),
             tolerance_mm: job.config.motion.tolerance_mm,
@@ -152,6 +156,7 @@ impl Report {
             reading: header::reading(job.config, survey),
             assumptions: header::assumptions(machine, job.control, job.config, survey),
             conditions: header::conditions(machine, job.control, job.config, survey),
+            settings: header.settings(),
             ..Self::default()
         };
         survey.diagnostics.iter().for_each(|diagnostic| report.fault(diagnostic.clone()));
@@ -186,8 +191,9 @@ impl Report {
 
     /// The same with the conditions on the control, and without machining times, for a document that has those of the executed program.
     pub(crate) fn summary_without_times(&self) -> Vec<String> {
-        let conditions: Vec<String> =
+        let mut conditions: Vec<String> =
             self.conditions.iter().map(|condition| format!("condition: {condition}")).collect();
+        conditions.extend(self.settings.iter().cloned());
         self.summary_with(&time::speeds(&self.times), &conditions)
     }
 

@@ -19,6 +19,9 @@
 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 ; the entries of C and B in G54 must be zero
 ; T3 DIA 10 R5 L101.5 D1, 2 operations, tip Z -6.2 to 74.3
+; CONDITION no basic, external, fine or DRF offset that is not meant moves the zero
+; CONDITION no offset by TOFFON or a synchronised action is on
+; CONDITION T selects a tool, and M6 changes it (MD22550 = 1)
 ; CONDITION the edges of the tools have their lengths (length 1)
 ; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
 ; CONDITION the control is in Siemens mode (G290)

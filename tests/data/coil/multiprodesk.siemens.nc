@@ -17,6 +17,9 @@
 ; G55 must hold X-180 Y-95 Z-310
 ; the entries of A in G55 must be zero
 ; T4 DIA 4 R2 L92.3 D1, 1 operation, tip Z -18.388 to 47.342
+; CONDITION no basic, external, fine or DRF offset that is not meant moves the zero
+; CONDITION no offset by TOFFON or a synchronised action is on
+; CONDITION T selects a tool, and M6 changes it (MD22550 = 1)
 ; CONDITION the edges of the tools have their lengths (length 1)
 ; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
 ; CONDITION the control is in Siemens mode (G290)

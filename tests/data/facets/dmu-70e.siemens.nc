@@ -20,6 +20,9 @@
 ; the entries of C and B in G54 must be zero
 ; T5 DIA 16 R0 L132.5 D1, 3 operations, tip Z -13.517 to 58.514
 ; T6 DIA 6 R0 L97.25 D1, 1 operation, tip Z -4.281 to 61.011
+; CONDITION no basic, external, fine or DRF offset that is not meant moves the zero
+; CONDITION no offset by TOFFON or a synchronised action is on
+; CONDITION T selects a tool, and M6 changes it (MD22550 = 1)
 ; CONDITION the edges of the tools have their lengths (length 1)
 ; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
 ; CONDITION the control is in Siemens mode (G290)

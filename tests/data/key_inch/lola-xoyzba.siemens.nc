@@ -18,6 +18,9 @@
 ; the entries of B and A in G54 must be zero
 ; T12 DIA 0.375 R0 L4.75 D1, 1 operation, tip Z -0.2227 to 2.8269
 ; T12 posted with L = 4.75: D1 must hold exactly this
+; CONDITION no basic, external, fine or DRF offset that is not meant moves the zero
+; CONDITION no offset by TOFFON or a synchronised action is on
+; CONDITION T selects a tool, and M6 changes it (MD22550 = 1)
 ; CONDITION the edges of the tools have their lengths (length 1)
 ; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
 ; CONDITION the control is in Siemens mode (G290)

@@ -20,6 +20,9 @@
 ; T21 posted with L = 120.25: D1 must hold exactly this
 ; T22 DIA 12 R1 L96.5 D52, 1 operation, tip Z -3.3 to -1.375
 ; T22 posted with L = 96.5: D52 must hold exactly this
+; CONDITION no basic, external, fine or DRF offset that is not meant moves the zero
+; CONDITION no offset by TOFFON or a synchronised action is on
+; CONDITION T selects a tool, and M6 changes it (MD22550 = 1)
 ; CONDITION the edges of the tools have their lengths (length 1)
 ; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
 ; CONDITION the control is in Siemens mode (G290)

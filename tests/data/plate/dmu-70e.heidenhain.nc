@@ -24,40 +24,43 @@
 23 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 24 ; the entries of C and B in preset 1 must be zero
 25 ; T3 DIA 0.25 L4, 1 operation, tip Z -0.4 to 1
-26 ; CONDITION L and DL of the tool table are the lengths of the tools
-27 ; CONDITION none of M89, M103, M109, M110, M124, M136, M138 and M144 is in force
-28 ; CONDITION the preset has no 3-D basic rotation (SPA, SPB, SPC)
-29 ; CONDITION cycle 32 is as the machine is delivered
-30 ; ASSUMED work offset preset 1
-31 ; ASSUMED retract to machine coordinate 0 in
-32 ; ASSUMED approach distance 1.968504 in along the tool axis
-33 ; ASSUMED F is in 1/10 inch/min, in cycles (Q206) as well
-34 M129
-35 PLANE RESET STAY
-36 M127
-37 CYCL DEF 247 DATUM SETTING ~
+26 ; CONDITION no global program settings are active (GS)
+27 ; CONDITION no preset of a pallet is added to the preset of the program
+28 ; CONDITION the kinematics in force are those of this machine and head
+29 ; CONDITION L and DL of the tool table are the lengths of the tools
+30 ; CONDITION none of M89, M103, M109, M110, M124, M136, M138 and M144 is in force
+31 ; CONDITION the preset has no 3-D basic rotation (SPA, SPB, SPC)
+32 ; CONDITION no cycle 32 of a program before is in force
+33 ; ASSUMED work offset preset 1
+34 ; ASSUMED retract to machine coordinate 0 in
+35 ; ASSUMED approach distance 1.968504 in along the tool axis
+36 ; ASSUMED F is in 1/10 inch/min, in cycles (Q206) as well
+37 M129
+38 PLANE RESET STAY
+39 M127
+40 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-38 FN 18: SYSREAD QL1 = ID210 NR1
-39 FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET1"
-40 ; a basic rotation lies over the preset
-41 FN 14: ERROR = 102
-42 LBL "OFFSET1"
-43 M9
-44 L Z+0 R0 FMAX M91
-45 TOOL CALL 3 Z S3000
-46 L Z+0 R0 FMAX M91
-47 M3
-48 L B+0 C+0 R0 FMAX
-49 L X+0 Y+0.5 R0 FMAX
-50 L Z+1 R0 FMAX
-51 L Z-0.1 R0 F200
-52 L X+1
-53 CC X+1 Y+0.25
-54 C X+1 Y+0 DR-
-55 L X+0
-56 L Y-0.25
-57 L Z+1
-58 CYCL DEF 203 UNIVERSAL DRILLING ~
+41 FN 18: SYSREAD QL1 = ID210 NR1
+42 FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET1"
+43 ; a basic rotation lies over the preset
+44 FN 14: ERROR = 102
+45 LBL "OFFSET1"
+46 M9
+47 L Z+0 R0 FMAX M91
+48 TOOL CALL 3 Z S3000
+49 L Z+0 R0 FMAX M91
+50 M3
+51 L B+0 C+0 R0 FMAX
+52 L X+0 Y+0.5 R0 FMAX
+53 L Z+1 R0 FMAX
+54 L Z-0.1 R0 F200
+55 L X+1
+56 CC X+1 Y+0.25
+57 C X+1 Y+0 DR-
+58 L X+0
+59 L Y-0.25
+60 L Z+1
+61 CYCL DEF 203 UNIVERSAL DRILLING ~
   Q200=+0.1 ;SET-UP CLEARANCE ~
   Q201=-0.4 ;DEPTH ~
   Q206=+40 ;FEED RATE FOR PLNGNG ~
@@ -71,11 +74,11 @@
   Q211=+0 ;DWELL TIME AT DEPTH ~
   Q208=+99999 ;RETRACTION FEED RATE ~
   Q256=+0.0197 ;DIST FOR CHIP BRKNG
-59 L X+0.25 Y+0.25 R0 FMAX M99
-60 L X+0.75 R0 FMAX M99
-61 L Z+1 R0 FMAX
-62 L Z+3 R0 FMAX
-63 L Z+0 R0 FMAX M91
-64 M5
-65 M30
-66 END PGM PLATE INCH
+62 L X+0.25 Y+0.25 R0 FMAX M99
+63 L X+0.75 R0 FMAX M99
+64 L Z+1 R0 FMAX
+65 L Z+3 R0 FMAX
+66 L Z+0 R0 FMAX M91
+67 M5
+68 M30
+69 END PGM PLATE INCH

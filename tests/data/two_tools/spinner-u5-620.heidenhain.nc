@@ -24,80 +24,83 @@
 23 ; the entries of C and B in preset 1 must be zero
 24 ; T1 DIA 20 R0 L120, 1 operation, tip Z -26 to 49.301
 25 ; T2 DIA 8 R0 L95, 1 operation, tip Z -3.759 to 52.623
-26 ; CONDITION L and DL of the tool table are the lengths of the tools
-27 ; CONDITION none of M89, M103, M109, M110, M124, M136, M138 and M144 is in force
-28 ; CONDITION the preset has no 3-D basic rotation (SPA, SPB, SPC)
-29 ; CONDITION cycle 32 is as the machine is delivered
-30 ; ASSUMED work offset preset 1
-31 ; ASSUMED retract to machine coordinate 0 mm
-32 ; ASSUMED approach distance 50 mm along the tool axis
-33 * - TILTED_FACE
-34 M129
-35 PLANE RESET STAY
-36 M127
-37 CYCL DEF 247 DATUM SETTING ~
+26 ; CONDITION no global program settings are active (GS)
+27 ; CONDITION no preset of a pallet is added to the preset of the program
+28 ; CONDITION the kinematics in force are those of this machine and head
+29 ; CONDITION L and DL of the tool table are the lengths of the tools
+30 ; CONDITION none of M89, M103, M109, M110, M124, M136, M138 and M144 is in force
+31 ; CONDITION the preset has no 3-D basic rotation (SPA, SPB, SPC)
+32 ; CONDITION no cycle 32 of a program before is in force
+33 ; ASSUMED work offset preset 1
+34 ; ASSUMED retract to machine coordinate 0 mm
+35 ; ASSUMED approach distance 50 mm along the tool axis
+36 * - TILTED_FACE
+37 M129
+38 PLANE RESET STAY
+39 M127
+40 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-38 FN 18: SYSREAD QL1 = ID210 NR1
-39 FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET1"
-40 ; a basic rotation lies over the preset
-41 FN 14: ERROR = 102
-42 LBL "OFFSET1"
-43 M9
-44 L Z+0 R0 FMAX M91
-45 TOOL CALL 1 Z S3000
-46 TOOL DEF 2
+41 FN 18: SYSREAD QL1 = ID210 NR1
+42 FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET1"
+43 ; a basic rotation lies over the preset
+44 FN 14: ERROR = 102
+45 LBL "OFFSET1"
+46 M9
 47 L Z+0 R0 FMAX M91
-48 M3
-49 L B+30 C+0 R0 FMAX
-50 L X+71.66 Y-28 R0 FMAX
-51 L Z+75.096 R0 FMAX
-52 M8
-53 L Z+25.096 R0 F1000
-54 L X+135.66 F900
-55 L Y-14
-56 L X+71.66
-57 L Y+0
-58 L X+135.66
-59 L Y+14
-60 L X+71.66
-61 L Y+28
-62 L X+135.66
-63 L Z+85.096 R0 FMAX
-64 M9
-65 L Z+0 R0 FMAX M91
-66 M5
-67 M0
-68 * - TILTED_SLOT
-69 M129
-70 PLANE RESET STAY
-71 M127
-72 CYCL DEF 247 DATUM SETTING ~
+48 TOOL CALL 1 Z S3000
+49 TOOL DEF 2
+50 L Z+0 R0 FMAX M91
+51 M3
+52 L B+30 C+0 R0 FMAX
+53 L X+71.66 Y-28 R0 FMAX
+54 L Z+75.096 R0 FMAX
+55 M8
+56 L Z+25.096 R0 F1000
+57 L X+135.66 F900
+58 L Y-14
+59 L X+71.66
+60 L Y+0
+61 L X+135.66
+62 L Y+14
+63 L X+71.66
+64 L Y+28
+65 L X+135.66
+66 L Z+85.096 R0 FMAX
+67 M9
+68 L Z+0 R0 FMAX M91
+69 M5
+70 M0
+71 * - TILTED_SLOT
+72 M129
+73 PLANE RESET STAY
+74 M127
+75 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-73 FN 18: SYSREAD QL1 = ID210 NR1
-74 FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET2"
-75 ; a basic rotation lies over the preset
-76 FN 14: ERROR = 102
-77 LBL "OFFSET2"
-78 M9
-79 L Z+0 R0 FMAX M91
-80 TOOL CALL 2 Z S7000
-81 TOOL DEF 1
+76 FN 18: SYSREAD QL1 = ID210 NR1
+77 FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET2"
+78 ; a basic rotation lies over the preset
+79 FN 14: ERROR = 102
+80 LBL "OFFSET2"
+81 M9
 82 L Z+0 R0 FMAX M91
-83 M3
-84 L B+20 C-90 R0 FMAX
-85 L X+70.097 Y-30 R0 FMAX
-86 L Z+65.886 R0 FMAX
-87 M8
-88 L Z+15.887 R0 F500
-89 L Y-10 Z+14.887 F350
-90 L Y-30 Z+13.887
-91 L Y-10 Z+12.886
-92 L Y-30 Z+11.886
-93 L Y-10
-94 L Y-30
-95 L Z+71.887 R0 FMAX
-96 M9
-97 L Z+0 R0 FMAX M91
-98 M5
-99 M30
-100 END PGM TWO_TOOLS MM
+83 TOOL CALL 2 Z S7000
+84 TOOL DEF 1
+85 L Z+0 R0 FMAX M91
+86 M3
+87 L B+20 C-90 R0 FMAX
+88 L X+70.097 Y-30 R0 FMAX
+89 L Z+65.886 R0 FMAX
+90 M8
+91 L Z+15.887 R0 F500
+92 L Y-10 Z+14.887 F350
+93 L Y-30 Z+13.887
+94 L Y-10 Z+12.886
+95 L Y-30 Z+11.886
+96 L Y-10
+97 L Y-30
+98 L Z+71.887 R0 FMAX
+99 M9
+100 L Z+0 R0 FMAX M91
+101 M5
+102 M30
+103 END PGM TWO_TOOLS MM

@@ -25,6 +25,9 @@
 ; T2 posted with L = 130: D1 must hold exactly this
 ; T3 DIA 6 L95 D1, 1 operation, tip Z -10 to 25
 ; T3 posted with L = 95: D1 must hold exactly this
+; CONDITION no basic, external, fine or DRF offset that is not meant moves the zero
+; CONDITION no offset by TOFFON or a synchronised action is on
+; CONDITION T selects a tool, and M6 changes it (MD22550 = 1)
 ; CONDITION the edges of the tools have their lengths (length 1)
 ; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
 ; CONDITION the control is in Siemens mode (G290)

@@ -168,9 +168,10 @@ impl Comparison<'_> {
             if phase.is_at_part() && self.rules.meaning() == LinearMeaning::TipCoordinates {
                 self.found(current, "the safety line comes before the machine has retracted");
             }
-            // A tool that is called before a stop is changed before it.
+            // A tool that is called before a stop is changed before it; and the program begins with a restart point.
+            let tool = self.previous.tool;
             let stops = |item: &ExpectedItem| {
-                matches!(item.action, ExpectedAction::Stop { .. }) && item.required.tool == self.previous.tool
+                matches!(item.action, ExpectedAction::Stop { .. }) && tool.is_some() && item.required.tool == tool
             };
             if self.progress.next().is_some_and(stops) {
                 self.found(current, "the stop of the CL data before this restart point is missing");

@@ -50,7 +50,8 @@ fn kinds_of_coolant_that_a_tool_needs_together_are_switched_on_and_off_together(
             }
             // For another tool it is what the defaults say.
             let other = set_up.replace("tools.1", "tools.2");
-            assert!(!posted_right::<Mill>(control, Mode::Axes, &other, &data).contains(on), "{control}");
+            let program = posted_right::<Mill>(control, Mode::Axes, &other, &data);
+            assert!(!program.contains(&format!("{on}\n")), "{control} {program}");
         }
     }
 }

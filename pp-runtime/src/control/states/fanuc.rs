@@ -17,8 +17,8 @@ pub(super) const STATES: &[StateRow] = &[
     state("3401#0", "numbers without a point are least increments", InWord("every number has a point"), Every, CODES),
     state("G20, G21", "unit of lengths", Set("G20 or G21"), Every, CODES),
     state("G18, G19", "plane of arcs, cycles and compensation", Set("G17"), Every, CODES),
-    state("G41, G42", "the path lies beside the words", Set("G40"), Every, CODES),
-    state("G43, G43.4, G43.5", "Z lies beside its words, or they are tip coordinates", Set("G49"), Every, "B-63844EN, p. 204"),
+    state("G41, G42", "the path is offset from the words", Set("G40"), Every, CODES),
+    state("G43, G43.4, G43.5", "Z is offset from its words, or they are tip coordinates", Set("G49"), Every, "B-63844EN, p. 204"),
     state("G91", "words are distances", Set("G90"), Every, CODES),
     state("G93, G95", "meaning of F", Set("G94"), Every, CODES),
     state("G54 to G59, G54.1", "zero of the words", Set("the code of `work_offset`"), Every, CODES),
@@ -35,6 +35,8 @@ pub(super) const STATES: &[StateRow] = &[
     state("5148", "direction off the wall of a bore", Noted(|_| "the direction that the line FINE BORING of the header states"), Cycles, "15i operator's manual, p. 315, of 6240")
         .because(PARAMETER),
     state("5006#6", "axes that move where G43.4 is commanded", Noted(|codes| codes.tip.as_ref().map_or("", |tip| tip.note)), TipControl, "A-79348E, p. 16").because(PARAMETER),
+    state("19680 to 19714", "kinds, directions and centres of the rotary axes", Stated("parameters 19680 to 19714 are those of this machine"), TipControl, "A-79348E, p. 72 to 78")
+        .because(PARAMETER),
     state("19696#5", "frame of the words under tip control", Stated("parameter 19696#5 is that of the frame under LINEAR WORDS"), TipControl, "B-63783EN, p. 1116; A-79348E, p. 19")
         .because(PARAMETER),
     state("pose of G53.1", "which of two poses the rotary axes take", Noted(|codes| codes.plane.as_ref().map_or("", |plane| plane.note)), Planes, "B-63784EN, tool axis direction control")

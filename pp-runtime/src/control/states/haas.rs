@@ -20,8 +20,8 @@ pub(super) const STATES: &[StateRow] = &[
     state("settings 77 and 162", "numbers without a point", InWord("every number has a point"), Every, SETTINGS),
     state("G20, G21", "unit of lengths", Set("G20 or G21"), Every, CODES),
     state("G18, G19", "plane of arcs, cycles and compensation", Set("G17"), Every, CODES),
-    state("G41, G42", "the path lies beside the words", Set("G40"), Every, CODES),
-    state("G43, G234", "Z lies beside its words, or they are tip coordinates", Set("G49"), Every, CODES),
+    state("G41, G42", "the path is offset from the words", Set("G40"), Every, CODES),
+    state("G43, G234", "Z is offset from its words, or they are tip coordinates", Set("G49"), Every, CODES),
     state("G91", "words are distances", Set("G90"), Every, CODES),
     state("G93, G95", "meaning of F", Set("G94"), Every, CODES),
     state("G54 to G59, G154", "zero of the words", Set("the code of `work_offset`"), Every, CODES),
@@ -40,6 +40,7 @@ pub(super) const STATES: &[StateRow] = &[
         .because("they hold data of the shop"),
     state("settings 40, 43 and 58", "offset of G41 and G42", Noted(|codes| codes.radius_data[0]), Compensation, SETTINGS).because(SETTING),
     state("setting 335", "axes of a rapid arrive together, or not", Stated("rapids as `control.linear_rapids` has them (setting 335)"), Every, SETTINGS).because(SETTING),
+    state("settings 255 to 257, 300 to 305", "centres of the rotary axes", Stated("the settings of the machine rotary zero point (255 to 257, or 300 to 305) are measured"), TipControl, "").because(SETTING),
     state("setting 108", "rotary axes go to zero by the shorter way at G28", Stated("setting 108 does not rotate an axis at G28 that the program leaves where it is"), Rotary, SETTINGS)
         .because(SETTING),
     state("wrap of rotary axes", "words of rotary axes beyond a revolution", Noted(|codes| codes.rotary_note), Rotary, "").because(SETTING),

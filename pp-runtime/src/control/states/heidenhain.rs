@@ -10,7 +10,7 @@ const M_FUNCTIONS: &str = "overview of the M functions in the manuals of the iTN
 
 #[rustfmt::skip]
 pub(super) const STATES: &[StateRow] = &[
-    state("R0, RL, RR", "the path lies beside the words", InWord("R0 in each rapid; RL and RR at their contour"), Every, MANUAL),
+    state("R0, RL, RR", "the path is offset from the words", InWord("R0 in each rapid; RL and RR at their contour"), Every, MANUAL),
     state("I", "a word is a distance", InWord("each word has its own I"), Every, MANUAL),
     state("FMAX", "rapid", InWord("in each rapid"), Every, MANUAL),
     state("unit", "unit of lengths and F", InWord("BEGIN PGM .. MM or INCH"), Every, MANUAL),
@@ -22,6 +22,11 @@ pub(super) const STATES: &[StateRow] = &[
     state("preset, cycles 7, 8, 10, 11 and 26", "place, direction and length of words", Set("cycle 247, which resets the others (from memory)"), Every, ""),
     state("basic rotation", "rotates the words about the zero", Compared("ID210 NR1", "no basic rotation is active"), Every, "TNC 426/430 Technical Manual, p. 7-30")
         .because("it is data of the preset that a probing cycle has set"),
+    state("global program settings", "offset, mirror, rotation and feed over the program; a value of the handwheel stays", Stated("no global program settings are active (GS)"), Every, "iTNC 530 user's manual, 11.5")
+        .because("no code ends them"),
+    state("pallet preset", "zero of the words", Stated("no preset of a pallet is added to the preset of the program"), Every, "Technical Manual iTNC 530 HSCI, p. 1492")
+        .because("it holds data of the shop"),
+    state("FUNCTION MODE, kinematics", "axes that the words move", Stated("the kinematics in force are those of this machine and head"), Rotary, "").because("the builder names them"),
     state("tool table", "length of the tool", Compared(LENGTH, "L and DL of the tool table are the lengths of the tools"), Every, "TNC 426/430 Technical Manual, p. 7-30")
         .because("the length is that of the real tool"),
     state("display of rotary axes", "words of rotary axes beyond a revolution", Noted(|codes| codes.rotary_note), Rotary, M_FUNCTIONS).because("M127 is in force"),
@@ -31,5 +36,5 @@ pub(super) const STATES: &[StateRow] = &[
     state("M89, M103, M109, M110, M124, M136, M138, M144", "cycles, F, points and axes of motions", Stated("none of M89, M103, M109, M110, M124, M136, M138 and M144 is in force"), Every, M_FUNCTIONS)
         .because("no single code ends them, and not every control has all"),
     state("SPA, SPB, SPC of the preset", "3-D basic rotation", Stated("the preset has no 3-D basic rotation (SPA, SPB, SPC)"), Every, "").because("no public manual has its number for FN 18"),
-    state("cycle 32", "deviation from the path", Stated("cycle 32 is as the machine is delivered"), Every, "").because("not every control has it"),
+    state("cycle 32", "deviation from the path", Stated("no cycle 32 of a program before is in force"), Every, "").because("not every control has it"),
 ];

@@ -15,8 +15,8 @@ pub(super) const STATES: &[StateRow] = &[
     state("F of G93", "time of a block", InWord("F in each block"), Rotary, CODES),
     state("G20, G21", "unit of lengths; M2 keeps it", Set("G20 or G21"), Every, STOP),
     state("G18, G19", "plane of arcs, cycles and compensation", Set("G17"), Every, STOP),
-    state("G41, G42", "the path lies beside the words", Set("G40"), Every, STOP),
-    state("G43", "Z lies beside its words; M2 keeps it", Set("G49"), Every, STOP),
+    state("G41, G42", "the path is offset from the words", Set("G40"), Every, STOP),
+    state("G43", "Z is offset from its words; M2 keeps it", Set("G49"), Every, STOP),
     state("G91", "words are distances", Set("G90"), Every, STOP),
     state("G90.1", "I J K are absolute; M2 keeps it", Set("G91.1"), Every, STOP),
     state("G93, G95", "meaning of F", Set("G94"), Every, STOP),
@@ -31,6 +31,12 @@ pub(super) const STATES: &[StateRow] = &[
         .because("G10 L2 R0 would clear what a probing screen has set"),
     state("tool table", "length of H", Compared(LENGTH, "the tool table has the lengths of the tools (Z)"), Every, "LinuxCNC 2.9, tool compensation")
         .because("the length is that of the real tool"),
+    state("X, Y and rotary columns of the tool table", "G43 moves these axes as well", Stated("the tool table has lengths in Z alone: G43 takes its other columns as well"), Every, "interp_convert.cc, convert_tool_length_offset")
+        .because("the guard compares the length"),
+    state("external offsets", "place of the axes", Stated("no external offset of an axis is on (HAL pins axis.*.eoffset)"), Every, "linuxcnc.org, external offsets")
+        .because("no parameter of a program has them"),
+    state("M52", "F is scaled by a signal", Stated("no adaptive feed is on (M52 P0)"), Every, STOP)
+        .because("a P word has no place beside that of G64, and machines with it want it on"),
     state("WRAPPED_ROTARY", "words of rotary axes beyond a revolution", Noted(|codes| codes.rotary_note), Rotary, "linuxcnc.org, INI configuration")
         .because("it is an entry of the INI file that no code reads"),
     state("diameter in the tool table", "offset of G41 D and G42 D", Noted(|codes| codes.radius_data[0]), Compensation, "LinuxCNC handbook, nodes 85 and 86")

@@ -20,7 +20,7 @@ pub(super) const STATES: &[StateRow] = &[
     state("TRANS, ROT, SCALE, MIRROR ($P_PFRAME)", "place, direction and length of words", Set("TRANS"), Every, FRAMES),
     state("G70, G71, G700, G710", "unit of lengths and F", Set("G700 or G710"), Every, GROUPS),
     state("G18, G19", "plane of arcs, cycles and compensation", Set("G17"), Every, GROUPS),
-    state("G41, G42", "the path lies beside the words", Set("G40"), Every, GROUPS),
+    state("G41, G42", "the path is offset from the words", Set("G40"), Every, GROUPS),
     state("G60, G641 to G645", "corners", Set("G64"), Every, GROUPS),
     state("G91", "words are distances", Set("G90"), Every, GROUPS),
     state("G93, G95, G96, G961", "meaning of F and S", Set("G94"), Every, GROUPS),
@@ -28,6 +28,10 @@ pub(super) const STATES: &[StateRow] = &[
     state("D", "length of the tool", Set("D0, then the D of the tool"), Every, GROUPS),
     state("settable, basic, external and system frames", "direction and length of words", Compared("rotation, scale and mirror of $P_ACTFRAME", "no frame rotates, scales or mirrors (settable, basic, external and system frames)"), Every, FRAMES)
         .because("they hold data of the shop"),
+    state("offsets of the shop", "zero of the words", Stated("no basic, external, fine or DRF offset that is not meant moves the zero"), Every, FRAMES)
+        .because("they hold data of the shop"),
+    state("TOFFON, $AA_OFF", "place of the axes", Stated("no offset by TOFFON or a synchronised action is on"), Every, "").because("without their options the codes raise an alarm"),
+    state("MD22550", "T changes the tool, or selects it for M6", Stated("T selects a tool, and M6 changes it (MD22550 = 1)"), Every, "").because(DATA),
     state("tool data", "length of the edge", Compared(LENGTH, "the edges of the tools have their lengths (length 1)"), Every, "Fundamentals 05/2017, system variables")
         .because("the length is that of the real tool"),
     state("MD30310", "words of rotary axes beyond a revolution", Noted(|codes| codes.rotary_note), Rotary, "Axes and Spindles 06/2019, p. 225").because(DATA),

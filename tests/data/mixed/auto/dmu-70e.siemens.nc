@@ -28,6 +28,9 @@
 ; T2 tap M8 L110 D1, 1 operation, tip Z -15 to 60
 ; T3 end mill 10 DIA 10 L100 D1, 3 operations, tip Z 0 to 55.704
 ; T4 ball 6 DIA 6 L130 D1, 1 operation, tip Z 10 to 60.963
+; CONDITION no basic, external, fine or DRF offset that is not meant moves the zero
+; CONDITION no offset by TOFFON or a synchronised action is on
+; CONDITION T selects a tool, and M6 changes it (MD22550 = 1)
 ; CONDITION the edges of the tools have their lengths (length 1)
 ; CONDITION CUT2D, NORM and G450 are in force, as after reset
 ; CONDITION length 1 of a tool lies along Z in G17 (SD42940)

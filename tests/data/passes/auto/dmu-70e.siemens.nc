@@ -19,6 +19,9 @@
 ; linear limits not checked: no travel declared (X Y Z)
 ; the entries of C and B in G54 must be zero
 ; T4 ball 8 DIA 8 L130 D1, 1 operation, tip Z 3 to 23.126
+; CONDITION no basic, external, fine or DRF offset that is not meant moves the zero
+; CONDITION no offset by TOFFON or a synchronised action is on
+; CONDITION T selects a tool, and M6 changes it (MD22550 = 1)
 ; CONDITION the edges of the tools have their lengths (length 1)
 ; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
 ; CONDITION the control is in Siemens mode (G290)

@@ -23,6 +23,9 @@ WORKPIECE(,"",,"CYLINDER",192,0,-40,-40,100)
 ; T1 mill 12 DIA 12 L120 D1, 1 operation, tip Z -2 to 60
 ; T2 drill 8 L140 D1, 1 operation, tip Z -26 to 60
 ; T3 ball 6 DIA 6 R3 L110 D1, 1 operation, tip Z 19.799 to 50.912
+; CONDITION no basic, external, fine or DRF offset that is not meant moves the zero
+; CONDITION no offset by TOFFON or a synchronised action is on
+; CONDITION T selects a tool, and M6 changes it (MD22550 = 1)
 ; CONDITION the edges of the tools have their lengths (length 1)
 ; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
 ; CONDITION the control is in Siemens mode (G290)

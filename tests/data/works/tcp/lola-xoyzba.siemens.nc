@@ -22,6 +22,9 @@
 ; the entries of B and A in G54 must be zero
 ; T1 DIA 10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
 ; T2 DIA 5 L130 D1, 1 operation, tip Z -15.078 to 28.689
+; CONDITION no basic, external, fine or DRF offset that is not meant moves the zero
+; CONDITION no offset by TOFFON or a synchronised action is on
+; CONDITION T selects a tool, and M6 changes it (MD22550 = 1)
 ; CONDITION the edges of the tools have their lengths (length 1)
 ; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
 ; CONDITION the control is in Siemens mode (G290)
