@@ -449,7 +449,9 @@ impl<'a> Rules<'a> {
         end: &ToolPose,
     ) -> bool {
         let allowed_mm = 2.0 * self.rounding.unit_mm + 2.0 * self.rounding.plane_rad * end.tip.norm();
-        let same = |there: [f64; MAX_AXES]| across.iter().zip(there).all(|(at, end)| (at - end).abs() <= allowed_mm);
+        let off =
+            |there: [f64; MAX_AXES]| across.iter().zip(there).map(|(at, end)| (at - end).powi(2)).sum::<f64>().sqrt();
+        let same = |there: [f64; MAX_AXES]| off(there) <= allowed_mm;
         self.words.across_at(&block.values, rotary_words(before, block), &block.state).is_some_and(same)
     }
 
