@@ -30,7 +30,7 @@ impl Comparison<'_> {
             // A parking position may be the home position.
             let (homes, parks) = (self.goes_home(phase, current), self.parks_linear(phase, current));
             let elsewhere = parks || self.goes_to_station(phase, current);
-            if homes && !elsewhere {
+            if homes && !elsewhere && !self.is_station_due(block) {
                 self.duties.happens(DutyEvent::LinearHome);
             } else if !homes && !elsewhere {
                 self.found(current, &text);

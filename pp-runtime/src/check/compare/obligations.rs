@@ -122,7 +122,8 @@ impl Comparison<'_> {
             | Duty::SpindleAgain
             | Duty::TipControlOff
             | Duty::CycleAtLevel
-            | Duty::RotationAfterHome => {
+            | Duty::RotationAfterHome
+            | Duty::StopInTime => {
                 return self.duties.take(what);
             }
             Duty::Away => return at_part,
@@ -228,6 +229,7 @@ mod tests {
             | Duty::OffsetGuard
             | Duty::CycleAtLevel
             | Duty::RotationAfterHome
+            | Duty::StopInTime
             | Duty::ApproachEnded
             | Duty::CutsEnded
             | Duty::ClampsOfCuts

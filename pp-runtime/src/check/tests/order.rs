@@ -428,3 +428,15 @@ fn a_guard_of_a_plane_whose_call_is_lost_is_found() {
     let call = program.lines().find(|line| line.contains("PLANE SPATIAL")).expect("a plane call");
     assert_told::<OneTable>("heidenhain", Mode::Tcp, set_up, data, &program.replace(&format!("{call}\n"), ""));
 }
+
+/// A stop of the CL data belongs to what was cut before it, and not to the operation that is entered after it.
+#[test]
+fn a_stop_after_the_next_restart_point_is_found() {
+    let set_up = "stop_retract = false\nretract.distance = 20\n";
+    let data = TWO_OPERATIONS.replace("TOOL PATH/SECOND,TOOL,T2\nLOADTL/2\n", "OPSTOP\nTOOL PATH/SECOND,TOOL,T1\n");
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, set_up, &data);
+    let restart = program.lines().rfind(|line| line.starts_with("N2 ")).expect("a restart point");
+    let moved = program.replace("M1\n", "").replace(&format!("{restart}\n"), &format!("{restart}\nM1\n"));
+    let found = again::<Mill>("fanuc", Mode::Axes, set_up, &data, &moved);
+    assert!(found.iter().any(|text| text.contains("comes after the restart point")), "{found:?}\n{moved}");
+}

@@ -57,10 +57,10 @@ pub(super) fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>,
         }
         let was = before;
         before = &block.state;
-        // Without the length the axis may move (Fanuc and Haas).
-        let lengths = [was.length, before.length];
-        let calls = lengths.iter().any(|length| matches!(length, Some(Length::Register(_)))) && before.length.is_some();
-        if calls && lengths[0] != lengths[1] && !block.effect.moves() && was.position.contains('Z') {
+        // With another length the axis may move (Fanuc and Haas).
+        let is_register = |state: &State| matches!(state.length, Some(Length::Register(_)));
+        let left = is_register(was) && before.length.is_some() && was.position.contains('Z');
+        if (left || is_register(before)) && was.length != before.length && !block.effect.moves() {
             again.push(format!("{:?}", before.length));
         }
         if before.spindle != was.spindle || matches!(block.effect, Effect::Spindle(_)) {

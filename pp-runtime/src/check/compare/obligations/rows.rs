@@ -23,6 +23,8 @@ pub(in super::super) enum DutyEvent {
     LinearHome,
     /// A block at the retract with rotary words.
     RotaryWords,
+    /// A complete state where a stop of the CL data should have come before it.
+    StopPassed,
     /// A motion of the CL data, as a rapid or not.
     Motion,
     BlockSkip,
@@ -60,6 +62,7 @@ pub(in crate::check) enum Duty {
     OffsetGuard,
     CycleAtLevel,
     RotationAfterHome,
+    StopInTime,
     // What follows is not owed after an event, but seen where it is needed.
     /// The tool is away from the part.
     Away,
@@ -169,7 +172,7 @@ fn has_own_tip_control(policy: &CheckPolicy) -> bool {
 
 /// What is owed, after what, and until what.
 #[rustfmt::skip]
-pub(super) const OWED: [Owed; 12] = [
+pub(super) const OWED: [Owed; 13] = [
     owed(Duty::CompleteState, &[DutyEvent::Begin, DutyEvent::Motion, DutyEvent::BlockSkip], &[DutyEvent::CompleteState], |_| true),
     owed(Duty::Retract, &[DutyEvent::Begin, DutyEvent::CompleteState, DutyEvent::PositionLost, DutyEvent::ShopLine, DutyEvent::BlockSkip], &[DutyEvent::Retract], |_| true),
     owed(Duty::RetractAfterShopLine, &[DutyEvent::ShopLine], &[DutyEvent::Retract], |_| true),
@@ -182,11 +185,12 @@ pub(super) const OWED: [Owed; 12] = [
     owed(Duty::OffsetGuard, &[DutyEvent::Begin, DutyEvent::CompleteState], &[DutyEvent::OffsetGuard], |policy| policy.shop.guards_offset),
     owed(Duty::CycleAtLevel, &[DutyEvent::LevelOfCycle], &[DutyEvent::Cycle, DutyEvent::Motion], |_| true),
     owed(Duty::RotationAfterHome, &[DutyEvent::LinearHome], &[DutyEvent::RotaryWords, DutyEvent::PlaneCall], |_| true),
+    owed(Duty::StopInTime, &[DutyEvent::StopPassed], &[DutyEvent::Motion], |_| true),
 ];
 
 /// What must be so at each place.
 #[rustfmt::skip]
-pub(in crate::check) const NEEDED: [Needed; 60] = [
+pub(in crate::check) const NEEDED: [Needed; 61] = [
     needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
     needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
@@ -206,6 +210,7 @@ pub(in crate::check) const NEEDED: [Needed; 60] = [
     needed(DutyPlace::Stop, Duty::StateAtEnd, stops_retracted, ""),
     needed(DutyPlace::Stop, Duty::ApproachEnded, always, ""),
     needed(DutyPlace::Stop, Duty::RotationAfterHome, always, NEEDLESS_HOME),
+    needed(DutyPlace::Stop, Duty::StopInTime, always, "the stop comes after the restart point before which the CL data has it"),
 
     needed(DutyPlace::Copied, Duty::OperationEnded, always, ""),
     needed(DutyPlace::Copied, Duty::CutsEnded, always, ""),
