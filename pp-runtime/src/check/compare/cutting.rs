@@ -15,7 +15,7 @@ use super::super::policy::RapidForm;
 use super::super::read::{Action, Block, MAX_AXES, Side};
 use super::super::rules::{Deviation, DeviationBound, LinkForm, ModalContext, StateFault, Stroke};
 use super::hole::lean_of_words;
-use super::obligations::{DutyEvent, DutyPlace};
+use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
 use super::{Comparison, Current, Previous, retract};
@@ -790,6 +790,9 @@ impl Comparison<'_> {
         self.pass_needless_from(cutting.here.as_ref())?;
         let Some((rest, out)) = self.rest_of_retract(cutting, &here, end) else { return Ok(None) };
         self.missing_dwells(current, false);
+        if !self.duties.owes(Duty::CompleteState) {
+            self.found(current, "the retract along the tool axis comes after the restart point of the next operation");
+        }
         let rewind = self.rewind_point(cutting, Some(out), current.block);
         let dry = rewind.is_none() || self.rules.policy().links.rewinds_dry;
         let context = ModalContext { dry, ..self.modal_context() };

@@ -440,3 +440,15 @@ fn a_stop_after_the_next_restart_point_is_found() {
     let found = again::<Mill>("fanuc", Mode::Axes, set_up, &data, &moved);
     assert!(found.iter().any(|text| text.contains("comes after the restart point")), "{found:?}\n{moved}");
 }
+
+/// The restart point ends the length offset: a retract after it would go to another height.
+#[test]
+fn a_retract_after_the_next_restart_point_is_found() {
+    let set_up = "retract.distance = 20\n";
+    let program = posted_right::<Mill>("linuxcnc", Mode::Axes, set_up, TWO_OPERATIONS);
+    let restart = program.lines().find(|line| line.starts_with("N2 ")).expect("a restart point");
+    let late = program.replacen("Z70\n", "", 1).replace(&format!("{restart}\n"), &format!("{restart}\nG0 Z70\n"));
+    let found = again::<Mill>("linuxcnc", Mode::Axes, set_up, TWO_OPERATIONS, &late);
+    let text = "comes after the restart point of the next operation";
+    assert!(found.iter().any(|found| found.contains(text)), "{found:?}\n{late}");
+}
