@@ -790,7 +790,9 @@ impl Comparison<'_> {
         self.pass_needless_from(cutting.here.as_ref())?;
         let Some((rest, out)) = self.rest_of_retract(cutting, &here, end) else { return Ok(None) };
         self.missing_dwells(current, false);
-        if !self.duties.owes(Duty::CompleteState) {
+        // The machine retract that follows each restart point has not come.
+        let after_restart = self.duties.owes(Duty::Retract) && !self.duties.owes(Duty::RetractAfterShopLine);
+        if after_restart && !self.duties.owes(Duty::CompleteState) {
             self.found(current, "the retract along the tool axis comes after the restart point of the next operation");
         }
         let rewind = self.rewind_point(cutting, Some(out), current.block);
