@@ -283,7 +283,7 @@ pub(crate) fn conditions(
 }
 
 /// Unit of the program.
-fn units_of(config: &Config, survey: &Survey) -> Units {
+pub(crate) fn units_of(config: &Config, survey: &Survey) -> Units {
     config.output_units.or(survey.file.units).unwrap_or_default()
 }
 

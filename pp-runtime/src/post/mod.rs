@@ -144,7 +144,7 @@ fn counted(count: u64, word: &str) -> String {
 impl Report {
     /// The report as far as the survey knows it.
     fn of(machine: &dyn AnyMachine, job: &Job<'_>, survey: &Survey) -> Self {
-        let units = job.config.output_units.or(survey.file.units).unwrap_or_default();
+        let units = header::units_of(job.config, survey);
         let header = header::Header { job, survey, units, machine, unchecked: Vec::new() };
         let mut report = Self {
             tools: survey.tools.iter().map(|tool| tool.call.number).collect(),
@@ -451,7 +451,7 @@ pub(crate) fn post_data(
     if machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
         report.course = course_text(&course, job.config);
     }
-    let units = job.config.output_units.unwrap_or_else(|| survey.file.units.unwrap_or(Units::Millimetres));
+    let units = header::units_of(job.config, &survey);
     let abilities = control::abilities(job.control, job.config.demands());
     let layout = Layout::new(machine, job.config.demands(), &abilities, &survey.modes, units, &survey.name);
     let pass = PlanningPass { job, survey: &survey, usable: &usable, machine, units, abilities: &abilities };

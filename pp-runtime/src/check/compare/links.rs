@@ -65,8 +65,7 @@ impl Comparison<'_> {
 
     /// The linear axes are home where a block at the retract rotates the rotary axes (`home_on_indexing`).
     pub(super) fn home_before_rotation(&mut self, retracted: &Retracted, turned: bool, current: &Current<'_>) {
-        let rotary = current.block.written & self.rules.words().rotary_bits();
-        if rotary != 0 {
+        if current.block.written & self.rules.words().rotary_bits() != 0 {
             self.duties.happens(DutyEvent::RotaryWords);
         }
         if turned && machine_move::is_not_home(&self.rules, retracted.homed) {

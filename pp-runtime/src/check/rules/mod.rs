@@ -88,6 +88,8 @@ impl<'a> Rules<'a> {
         let words = Words::new(&*machine, policy);
         let rounding = Rounding::new(&*machine, policy, units, words.rotary_bits().count_ones());
         let bits = (words.linear_bits(), words.rotary_bits());
+        // The axis that rotates at a pole.
+        let first_rotary = words.rotary().next();
         let law = FeedLaw::new(&*machine, policy, &facts, units, bits, (rounding.unit_mm, rounding.unit_rad));
         Self {
             policy,
@@ -103,8 +105,8 @@ impl<'a> Rules<'a> {
                 OwnPlace::Clamp { axis, .. } => bits | 1 << axis,
                 _ => bits,
             }),
-            largest_rest_rad: largest_rest_rad(&*machine, policy),
-            pole: first_rotary(&*machine).map(|index| machine.joint(index).direction.into_inner()),
+            largest_rest_rad: largest_rest_rad(machine.axes(), policy, first_rotary),
+            pole: first_rotary.map(|index| machine.joint(index).direction.into_inner()),
             retracts_along_tool: retracts_along_tool(&*machine),
             even_end: Cell::new(None),
             meaning: policy.linear_of_all().unwrap_or(LinearMeaning::AxisPositions),
@@ -581,15 +583,10 @@ fn corner(machine: &dyn AnyMachine) -> f64 {
     signs.fold(0.0, f64::max)
 }
 
-/// The axis that rotates at a pole.
-fn first_rotary(machine: &dyn AnyMachine) -> Option<usize> {
-    (0..machine.axes().len()).find(|&index| is_solved(&machine.axes()[index], AxisKind::Rotary))
-}
-
-/// Half a revolution leads to every position at a pole; between its limits the axis may have to go the longer way.
-fn largest_rest_rad(machine: &dyn AnyMachine, policy: &CheckPolicy) -> f64 {
-    let limits = policy.set_up.travel(machine.axes()).limits;
-    let limited = first_rotary(machine).is_some_and(|index| limits[index].is_some());
+/// Half a revolution leads to every position at a pole; between its limits the first rotary axis may have to go the longer way.
+fn largest_rest_rad(axes: &[Axis], policy: &CheckPolicy, first_rotary: Option<usize>) -> f64 {
+    let limits = policy.set_up.travel(axes).limits;
+    let limited = first_rotary.is_some_and(|index| limits[index].is_some());
     if limited { TAU } else { PI }
 }
 

@@ -59,7 +59,7 @@ const CHUCK: &str = "cl.auxfun = [77]\ncl.words = { \"CHUCK/OPEN\" = { blocks = 
                      control.effects = { M77 = \"none\", M68 = \"chuck\" }\nretract.distance = 20\n";
 
 /// The blocks of a program with these codes, one after the other.
-fn with_codes<'p>(program: &'p str, codes: &[&str]) -> Vec<&'p str> {
+pub(super) fn with_codes<'p>(program: &'p str, codes: &[&str]) -> Vec<&'p str> {
     let words = |line: &'p str| line.split_whitespace().find(|word| codes.contains(word));
     program.lines().filter(|line| !line.starts_with(['(', ';'])).filter_map(words).collect()
 }

@@ -154,7 +154,7 @@ fn an_operation_programs_the_position_of_each_axis() {
     assert!(found.iter().any(|found| found.contains(text)), "{found:?}\n{without}");
 }
 
-/// A word that moves nothing may stand beside those of the parking position.
+/// A word that moves nothing may be in the block of the parking position.
 #[test]
 fn a_parking_block_may_repeat_a_word_of_a_linear_axis() {
     let set_up = "retract.distance = 37\npark = { B = 0.0, C = 0.0 }\n";

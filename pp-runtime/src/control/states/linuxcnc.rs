@@ -36,7 +36,7 @@ pub(super) const STATES: &[StateRow] = &[
     state("external offsets", "place of the axes", Stated("no external offset of an axis is on (HAL pins axis.*.eoffset)"), Every, "linuxcnc.org, external offsets")
         .because("no parameter of a program has them"),
     state("M52", "F is scaled by a signal", Stated("no adaptive feed is on (M52 P0)"), Every, STOP)
-        .because("a P word has no place beside that of G64, and machines with it want it on"),
+        .because("machines that have it need it on"),
     state("WRAPPED_ROTARY", "words of rotary axes beyond a revolution", Noted(|codes| codes.rotary_note), Rotary, "linuxcnc.org, INI configuration")
         .because("it is an entry of the INI file that no code reads"),
     state("diameter in the tool table", "offset of G41 D and G42 D", Noted(|codes| codes.radius_data[0]), Compensation, "LinuxCNC handbook, nodes 85 and 86")

@@ -272,7 +272,7 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
                 let whole = ((one - other) / 360.0).round();
                 // A cut that begins and ends as many revolutions off is the same.
                 let begins = [was, is].map(|event| event.before.position.get(letter).unwrap_or_default());
-                let as_many = || !cuts || ((begins[0] - begins[1]) / 360.0).round() == whole;
+                let as_many = || !cuts || ((begins[0] - begins[1]) / 360.0 - whole).abs() < 0.5;
                 let counts = is_rotary(letter) && (allowed.wraps || as_many());
                 let rolled = if counts { 360.0 * whole } else { 0.0 };
                 worst([

@@ -257,15 +257,22 @@ fn is_arc_in_parts(whole: &Event<'_>, parts: &[Event<'_>], allowed: Allowed) -> 
     else {
         return false;
     };
-    let centred =
-        |part: &Arc| arc.centre.iter().zip(&part.centre).all(|(one, two)| (one - two).abs() <= allowed.linear);
-    let sweep = first.sweep_deg + second.sweep_deg;
-    let same = Event { block: &Executed { effect: Effect::Arc(arc), ..*parts[1].block }, ..parts[1] };
-    centred(&first)
-        && centred(&second)
+    are_about(&arc, &[first, second], allowed)
         && first.sweep_deg * second.sweep_deg > 0.0
-        && (sweep - arc.sweep_deg).abs() < 1.0
-        && !matches!(difference(whole, &same, allowed), Some(Hard(_)))
+        && (first.sweep_deg + second.sweep_deg - arc.sweep_deg).abs() < 1.0
+        && ends_as(whole, &parts[1], allowed)
+}
+
+/// Whether arcs have the centre of another.
+fn are_about(arc: &Arc, others: &[Arc], allowed: Allowed) -> bool {
+    let near = |other: &Arc| arc.centre.iter().zip(&other.centre).all(|(one, two)| (one - two).abs() <= allowed.linear);
+    others.iter().all(near)
+}
+
+/// Whether an arc is as another in all but its length.
+fn ends_as(one: &Event<'_>, other: &Event<'_>, allowed: Allowed) -> bool {
+    let same = Event { block: &Executed { effect: one.block.effect, ..*other.block }, ..*other };
+    !matches!(difference(one, &same, allowed), Some(Hard(_)))
 }
 
 /// Whether two arcs about one centre are as long as two others, and end where these end.
@@ -274,22 +281,12 @@ fn are_turns_of_one_helix(was: &[Event<'_>], is: &[Event<'_>], allowed: Allowed)
         (Effect::Arc(first), Effect::Arc(second)) => Some([first, second]),
         _ => None,
     };
-    let (Some(was_arcs), Some(is_arcs)) = (arcs(was), arcs(is)) else { return false };
+    let (Some(one), Some(other)) = (arcs(was), arcs(is)) else { return false };
     let sweep = |arcs: &[Arc; 2]| arcs[0].sweep_deg + arcs[1].sweep_deg;
-    let centred = was_arcs
-        .iter()
-        .chain(&is_arcs)
-        .all(|arc| arc.centre.iter().zip(&was_arcs[0].centre).all(|(one, two)| (one - two).abs() <= allowed.linear));
-    centred
-        && (sweep(&was_arcs) - sweep(&is_arcs)).abs() < 1.0
-        && !matches!(
-            difference(
-                &was[1],
-                &Event { block: &Executed { effect: was[1].block.effect, ..*is[1].block }, ..is[1] },
-                allowed
-            ),
-            Some(Hard(_))
-        )
+    are_about(&one[0], &one, allowed)
+        && are_about(&one[0], &other, allowed)
+        && (sweep(&one) - sweep(&other)).abs() < 1.0
+        && ends_as(&was[1], &is[1], allowed)
 }
 
 /// Whether a tool change brings the tool that is in the spindle, or is followed by another, before anything but retracts.
