@@ -8,6 +8,9 @@ use crate::foreign::trace::{Arc, Hole};
 use crate::foreign::{Effect, Feed};
 use Difference::{Hard, Soft};
 
+/// Sine of the angle from the pole within which a control may rotate an axis by much for a small change of the tool axis.
+const NEAR_POLE: f64 = 0.05;
+
 /// Difference between two blocks.
 pub(super) enum Difference {
     Hard(String),
@@ -318,6 +321,7 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
     let rounding = if straight { 6.0 * allowed.unit / length } else { 0.0 };
     // Whether the largest speeds of the axes hold it back depends on them.
     let found_by_control = allowed.axis_speeds && old.vector.is_some() && new.vector.is_some();
+    let by_pole = passes_pole([was.before.vector, old.vector]);
     let feed = match (was.block.feed(), is.block.feed()) {
         (Some(Feed::PerMinute(was)), Some(Feed::PerMinute(is)))
         | (Some(Feed::InverseTime(was)), Some(Feed::InverseTime(is)))
@@ -325,7 +329,7 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
             if !short =>
         {
             let largest = rounding.max(0.0101);
-            if found_by_control && is <= 2.0 * was && was <= 2.0 * is {
+            if found_by_control && (is <= 2.0 * was && was <= 2.0 * is || by_pole) {
                 soft((was - is).abs() > largest * was, "F of a block whose rotary angles the control finds")
             } else {
                 compared("F", was, is, largest * was)
@@ -335,6 +339,15 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
         (was, is) => hard(was != is, "the feed mode"),
     };
     worst(LETTERS.into_iter().map(place).chain([vectors, feed]))
+}
+
+/// Whether the tool axis may come near Z of the workpiece, where the control may rotate an axis by half a revolution.
+fn passes_pole(vectors: [Option<[f64; 3]>; 2]) -> bool {
+    let [Some([a, b, _]), Some([c, d, _])] = vectors else { return false };
+    // Distance of the straight line between both from the origin, in X and Y.
+    let (u, v) = (c - a, d - b);
+    let share = if u.hypot(v) > 0.0 { (-(a * u + b * v) / (u * u + v * v)).clamp(0.0, 1.0) } else { 0.0 };
+    (a + share * u).hypot(b + share * v) < NEAR_POLE
 }
 
 /// Whether the tool axis is the same at the end of a motion and half way, although rotary axes differ, and words are
@@ -426,7 +439,7 @@ pub(super) fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed
         hard(old.units != new.units, "the unit"),
         tip_control,
         hard(!machine && tilt_differs(old.tilted_plane(), new.tilted_plane()), "the tilted plane"),
-        hard(old.dynamic_offset != new.dynamic_offset, "the dynamic work offset"),
+        hard(!machine && old.dynamic_offset != new.dynamic_offset, "the dynamic work offset"),
         hard(tip.0 && old.interpolation != new.interpolation, "the interpolation of the tool axis"),
         hard(tip.0 && old.vector_frame != new.vector_frame, "the frame of vectors"),
         soft(old.tip_control != new.tip_control, "the start of tip control"),
@@ -465,7 +478,8 @@ pub(super) fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed
         hard(old.tool != new.tool, "the tool"),
         hard(old.spindle != new.spindle, "the spindle"),
         hard(!taps && old.stopped_by_thread != new.stopped_by_thread, "the spindle after a thread"),
-        hard(old.speed != new.speed, "the speed"),
+        hard(old.speed != new.speed && !(rotates_at_pole(was, allowed) && rotates_at_pole(is, allowed)), "the speed"),
+        soft(old.speed != new.speed, "the speed of a rotation at the pole"),
         hard(old.coolant != new.coolant, "coolant"),
         hard(planar && old.plane != new.plane, "the plane"),
         soft(old.plane != new.plane, "the plane of a line"),
@@ -475,6 +489,18 @@ pub(super) fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed
         hard(old.rotary_path != new.rotary_path, "shortest path"),
         hard(taps && old.rigid != new.rigid, "rigid tapping"),
     ])
+}
+
+/// Whether C alone rotates the part about the tool, as far as words in a frame that does not rotate with the table show.
+fn rotates_at_pole(event: &Event<'_>, allowed: Allowed) -> bool {
+    let (from, to) = (&event.before.position, &event.block.state.position);
+    let stays = |letter: char| from.get(letter) == to.get(letter);
+    let upright = |letter: char| to.get(letter).is_none_or(|angle| angle.abs() < 1e-9);
+    event.block.state.under_tip_control()
+        && allowed.tool_axis.is_none()
+        && !stays('C')
+        && stays('Z')
+        && ['A', 'B'].into_iter().all(|letter| stays(letter) && upright(letter))
 }
 
 /// Numbers of smoothing, all zero where it is off: Q0 of G5.1, a tolerance or a kind of 0.

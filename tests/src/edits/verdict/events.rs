@@ -88,7 +88,8 @@ pub(super) fn events<'a>(trace: &'a Trace, start: &'a State) -> (Vec<Event<'a>>,
                 again.push(format!("{:?} {:?} {:?}", block.words, before, block.state));
             }
             effect if stays(&event) => {
-                again.push(format!("{} {:?} {:?}", name_of(&effect), block.words, block.state));
+                let place = events.len();
+                again.push(format!("{} {:?} {:?} after {place} actions", name_of(&effect), block.words, block.state));
             }
             _ => events.push(event),
         }
@@ -101,7 +102,10 @@ fn is_later(action: &Event<'_>, next: &Event<'_>) -> bool {
     // A guard that names its register compares the same before the tool change.
     let guards = matches!(next.block.effect, Effect::Guard { .. }) && next.block.state.guarded.is_some();
     let again = matches!(action.block.effect, Effect::ToolChange(tool) if action.before.tool == Some(tool));
+    // At the retract a rotary axis may rotate before a code that switches nothing that is known here.
+    let rotates = action.block.effect == Effect::Rapid && action.block.words.letters().all(is_rotary);
     matches!(action.block.effect, Effect::Machine | Effect::Dwell(_))
+        || rotates && matches!(next.block.effect, Effect::Shop(_))
         || matches!(action.block.effect, Effect::Guard { .. } | Effect::OffsetGuard)
             && matches!(next.block.effect, Effect::Shop(_))
         || again && matches!(next.block.effect, Effect::Shop(_))

@@ -155,7 +155,17 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
             return undecided("a point on a line is added");
         }
     }
+    if all_agree(&needed(was, index, allowed), &needed(is, index, allowed)) {
+        return undecided("rapids on one line, and motions within tolerance");
+    }
     None
+}
+
+/// Events from just before an index on, without rapids that end on the line of the next one, and motions within tolerance.
+fn needed<'a>(events: &[Event<'a>], index: usize, allowed: Allowed) -> Vec<Event<'a>> {
+    let on_line = |at: usize| events[at].block.effect == Effect::Rapid && on_the_line(events, at, allowed);
+    let is_needed = |&at: &usize| !is_short(&events[at], allowed) && !on_line(at);
+    (index.saturating_sub(1)..events.len()).filter(is_needed).map(|at| events[at]).collect()
 }
 
 /// Whether a rapid along the tool leads out before a stop, after which a retract leads on.
@@ -201,7 +211,8 @@ fn is_free_of(wait: &Event<'_>, event: &Event<'_>) -> bool {
             let lengthless = matches!(event.block.effect, Effect::Orient | Effect::Machine)
                 || event.block.words.letters().all(is_rotary);
             let change = matches!(event.block.effect, Effect::ToolChange(_)) && wait.block.state.guarded.is_some();
-            moves && lengthless || change
+            let still = matches!(event.block.effect, Effect::Dwell(_) | Effect::Shop(_));
+            moves && lengthless || change || still
         }
         _ => false,
     }

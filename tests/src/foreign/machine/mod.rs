@@ -27,6 +27,8 @@ pub(super) struct Machine {
     rapids_at_feed: bool,
     /// State after the last command.
     pub(super) state: State,
+    /// Position that another length has made unknown, and the state before it and after it.
+    called: Option<(State, State)>,
     /// Level before the canned cycle.
     initial_level: Option<f64>,
     /// Register of the tool radius that was written last.
@@ -58,6 +60,7 @@ impl Machine {
             dry: options.dry,
             careless: options.careless,
             rapids_at_feed: options.rapids_at_feed,
+            called: None,
             state,
             initial_level: None,
             radius: None,

@@ -272,6 +272,21 @@ impl Machine {
 
     /// Positions are unknown where the block has changed what they count from.
     fn forget_positions(&mut self, before: &State, meanings: &[Meaning]) {
+        // On Siemens a length counts from the next motion on: called back before that it has moved nothing.
+        if self.control == Control::Siemens
+            && before.length != self.state.length
+            && before.work_offset == self.state.work_offset
+        {
+            let back = self.called.take().filter(|(then, left)| {
+                then.length == self.state.length
+                    && left.position == before.position
+                    && self.state.position == before.position
+            });
+            if let Some((then, _)) = back {
+                self.state.position = then.position;
+                return;
+            }
+        }
         let state = &mut self.state;
         // The offset that is in force already moves nothing.
         let again = self.careless && before.length == state.length && before.tip_control == state.tip_control;
@@ -279,6 +294,7 @@ impl Machine {
             // The tool table of LinuxCNC may hold lengths along every linear axis.
             let all = self.control == Control::LinuxCnc;
             state.position.retain(|letter| if all { is_rotary(letter) } else { letter != 'Z' });
+            self.called = Some((*before, *state));
         }
         let tips = (before.under_tip_control(), state.under_tip_control());
         // The kinematics of LinuxCNC that are active stay active.

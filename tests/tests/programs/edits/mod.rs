@@ -149,7 +149,7 @@ fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
     // A tool that is selected in a block with a motion.
     let tool = edit.after.split(" | ").any(|line| {
         let is = |letters: &str| line.split(' ').any(|word| word.starts_with(|letter| letters.contains(letter)));
-        is("T") && is("XYZABC")
+        is("T") && (is("XYZABC") || line.contains("M29"))
     });
     // A parameter of a cycle that is left out.
     let parameter =
@@ -158,7 +158,10 @@ fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
     let plane = edit.before.contains("COORD ROT") && !edit.after.contains("COORD ROT");
     // A label of a guard, to which the control does not get unless it stops.
     let label = edit.before.contains("LBL \"");
-    parameter || label || plane || semicolon || ends || shop || off || unit || own || tool
+    // A plane in which nothing moves.
+    let begins = |text: &str| ["G68.2", "G254", "G268", "CYCLE800(0", "PLANE S"].map(|code| text.matches(code).count());
+    let needless = begins(&edit.before) != begins(&edit.after);
+    needless || parameter || label || plane || semicolon || ends || shop || off || unit || own || tool
 }
 
 /// Whether a code is in the edit that the control has and the foreign interpreter has not.
@@ -201,6 +204,22 @@ fn is_without_effect(edit: &Edit) -> bool {
     edit.before != edit.after && rest(&edit.before) == rest(&edit.after)
 }
 
+/// Whether the code that switches a supply of the shop off is in the block of a motion, at whose end it acts.
+fn is_supply_off_with_motion(verdict: &Verdict, edit: &Edit) -> bool {
+    let moves = |line: &str| {
+        let words: Vec<&str> = line.split(' ').collect();
+        words.iter().any(|word| matches!(*word, "M9" | "M09"))
+            && words.iter().any(|word| word.starts_with(['X', 'Y', 'Z', 'I']))
+    };
+    matches!(verdict, Verdict::Harmful(why) if why.ends_with("a supply of the shop"))
+        && edit.after.split(" | ").any(moves)
+}
+
+/// Whether the work offset comes after the plane that is in it.
+fn is_offset_after_plane(edit: &Edit) -> bool {
+    edit.before.contains("CYCLE800(") && edit.before.contains("G54")
+}
+
 /// Whether lines in another order cut the same, although they move in another way, or hold what a check may find.
 fn is_another_way(verdict: &Verdict, edit: &Edit) -> bool {
     match verdict {
@@ -211,9 +230,7 @@ fn is_another_way(verdict: &Verdict, edit: &Edit) -> bool {
                 || why.contains("a point of an arc") && edit.before.contains("CP IPA")
                 || why.ends_with(": the tilted plane") && edit.before.contains("CYCLE800()")
         }
-        // The offset after the plane that is in it.
-        Verdict::Harmless => edit.before.contains("CYCLE800(") && edit.before.contains("G54"),
-        Verdict::Refused(_) | Verdict::Undecided(_) => false,
+        Verdict::Harmless | Verdict::Refused(_) | Verdict::Undecided(_) => false,
     }
 }
 
@@ -229,7 +246,9 @@ fn judged(posted: &Posted, edit: &Edit, order: bool, tally: &mut Tally) -> Optio
         || verdict == Verdict::Harmless && (is_matter_of_taste(posted, edit) || is_displayed(edit))
         || matches!(verdict, Verdict::Refused(_)) && (is_message(edit) || is_another_mode(edit))
         || matches!(verdict, Verdict::Harmful(_)) && !order && is_without_effect(edit)
+        || is_supply_off_with_motion(&verdict, edit)
         || order && is_another_way(&verdict, edit)
+        || verdict == Verdict::Harmless && is_offset_after_plane(edit)
         || verdict == Verdict::Harmless && is_another_restart(posted, edit, &edited)
     {
         tally.undecided += 1;
@@ -251,8 +270,11 @@ fn judged(posted: &Posted, edit: &Edit, order: bool, tally: &mut Tally) -> Optio
             tally.passed_refused += usize::from(found.is_none());
             found.is_none().then(|| failure("refused, not found", control, posted, edit, &why, "none"))
         }
-        // The traces begin with a control that is in no state of a program before.
-        (Verdict::Harmless, Some(found)) if found.contains("from a program before") => {
+        // The traces begin with a control that is in no state of a program before, and where an entry with a tool that stays cannot be
+        // tried, what it lacks is not in them.
+        (Verdict::Harmless, Some(found))
+            if found.contains("from a program before") || found.contains("since the complete state") =>
+        {
             tally.undecided += 1;
             None
         }
