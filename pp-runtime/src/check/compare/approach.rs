@@ -43,6 +43,9 @@ impl Comparison<'_> {
     pub(super) fn approach(&mut self, retracted: &mut Retracted, current: &Current<'_>) -> io::Result<Option<Phase>> {
         self.fill_for_approach(current)?;
         self.come_to_cut(DutyPlace::ApproachStep, current);
+        if current.block.written & self.rules.words().linear_bits() != 0 {
+            self.duties.happens(DutyEvent::LinearStep);
+        }
         let step = self.approach_step(retracted, current.block);
         if self.goes_elsewhere(retracted, step, current) {
             return Ok(None);
@@ -423,6 +426,7 @@ impl Comparison<'_> {
         let block = current.block;
         let fault = self.rules.fault_at_park(block, self.progress.last(), ModalContext::default());
         self.found_state(current, fault);
+        self.parks_at_end(current);
         retracted.parks = true;
         let turned = self.rules.moved(&self.previous.words, self.previous.known, block) != 0;
         self.home_before_rotation(retracted, turned, current);

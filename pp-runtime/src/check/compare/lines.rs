@@ -214,7 +214,13 @@ impl Comparison<'_> {
             self.duties.happens(DutyEvent::ThroughCoolant);
         }
         let length = std::mem::replace(&mut self.previous.length, block.state.length);
-        let tilted = std::mem::replace(&mut self.previous.tilted, block.state.tilt.is_some());
+        let framed = block.state.tilt.is_some() || block.state.dynamic_offset;
+        let was_framed = std::mem::replace(&mut self.previous.framed, framed);
+        if was_framed && !framed {
+            self.come_to(DutyPlace::FrameEnd, None, current);
+        } else if framed && !was_framed {
+            self.duties.happens(DutyEvent::FrameBegins);
+        }
         if !phase.is_at_part() {
             return;
         }
@@ -226,7 +232,7 @@ impl Comparison<'_> {
                 "length compensation is switched off before the machine has retracted: the tool may move by its length",
             );
         }
-        if tilted && block.state.tilt.is_none() && !facts.plane_off_before_retract {
+        if was_framed && !framed && !facts.plane_off_before_retract {
             self.found(current, "the tilted plane is switched off before the machine has retracted");
         }
     }

@@ -85,10 +85,18 @@ impl Comparison<'_> {
             && begun
             && parking::moves_linear(&self.rules, &self.rules.policy().links.park, block);
         if parks {
+            self.parks_at_end(current);
             self.state_at_machine_position(None, true, current);
             self.parked |= block.written;
         }
         parks
+    }
+
+    /// Without GOHOME the axes are parked when all else is done.
+    pub(super) fn parks_at_end(&mut self, current: &Current<'_>) {
+        if self.progress.next().is_none() && !self.duties.owes(Duty::Parking) {
+            self.come_to(DutyPlace::Park, None, current);
+        }
     }
 
     /// State of a block to a home or parking position.

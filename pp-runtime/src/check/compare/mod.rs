@@ -156,7 +156,8 @@ struct Previous {
     /// Plane of the last arc of the operation.
     arc_plane: Option<WorkPlane>,
     length: Option<Length>,
-    tilted: bool,
+    /// A tilted plane, or a zero that follows the table, is in force.
+    framed: bool,
     tip_control: bool,
     /// The spindle or the coolant is known to be on.
     runs: bool,

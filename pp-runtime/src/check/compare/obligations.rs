@@ -123,7 +123,8 @@ impl Comparison<'_> {
             | Duty::TipControlOff
             | Duty::CycleAtLevel
             | Duty::RotationAfterHome
-            | Duty::StopInTime => {
+            | Duty::StopInTime
+            | Duty::MotionInFrame => {
                 return self.duties.take(what);
             }
             Duty::Away => return at_part,
@@ -230,6 +231,7 @@ mod tests {
             | Duty::CycleAtLevel
             | Duty::RotationAfterHome
             | Duty::StopInTime
+            | Duty::MotionInFrame
             | Duty::ApproachEnded
             | Duty::CutsEnded
             | Duty::ClampsOfCuts

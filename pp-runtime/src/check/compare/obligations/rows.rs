@@ -42,6 +42,10 @@ pub(in super::super) enum DutyEvent {
     PlaneCall,
     PlaneGuard,
     OffsetGuard,
+    /// A tilted plane, or a zero that follows the table, begins.
+    FrameBegins,
+    /// A step of an approach with linear words.
+    LinearStep,
     /// The tool comes to the level of a cycle over its hole.
     LevelOfCycle,
     Cycle,
@@ -63,6 +67,7 @@ pub(in crate::check) enum Duty {
     CycleAtLevel,
     RotationAfterHome,
     StopInTime,
+    MotionInFrame,
     // What follows is not owed after an event, but seen where it is needed.
     /// The tool is away from the part.
     Away,
@@ -113,6 +118,10 @@ pub(in crate::check) enum DutyPlace {
     ApproachStep,
     /// The first approach of an operation.
     Operation,
+    /// The axes go to their parking positions at the end, without GOHOME.
+    Park,
+    /// A tilted plane, or a zero that follows the table, ends.
+    FrameEnd,
     /// A block at feed or of a cycle.
     Feed,
     /// A motion of the CL data at feed.
@@ -172,7 +181,7 @@ fn has_own_tip_control(policy: &CheckPolicy) -> bool {
 
 /// What is owed, after what, and until what.
 #[rustfmt::skip]
-pub(super) const OWED: [Owed; 13] = [
+pub(super) const OWED: [Owed; 14] = [
     owed(Duty::CompleteState, &[DutyEvent::Begin, DutyEvent::Motion, DutyEvent::BlockSkip], &[DutyEvent::CompleteState], |_| true),
     owed(Duty::Retract, &[DutyEvent::Begin, DutyEvent::CompleteState, DutyEvent::PositionLost, DutyEvent::ShopLine, DutyEvent::BlockSkip], &[DutyEvent::Retract], |_| true),
     owed(Duty::RetractAfterShopLine, &[DutyEvent::ShopLine], &[DutyEvent::Retract], |_| true),
@@ -185,12 +194,13 @@ pub(super) const OWED: [Owed; 13] = [
     owed(Duty::OffsetGuard, &[DutyEvent::Begin, DutyEvent::CompleteState], &[DutyEvent::OffsetGuard], |policy| policy.shop.guards_offset),
     owed(Duty::CycleAtLevel, &[DutyEvent::LevelOfCycle], &[DutyEvent::Cycle, DutyEvent::Motion], |_| true),
     owed(Duty::RotationAfterHome, &[DutyEvent::LinearHome], &[DutyEvent::RotaryWords, DutyEvent::PlaneCall], |_| true),
+    owed(Duty::MotionInFrame, &[DutyEvent::FrameBegins], &[DutyEvent::LinearStep, DutyEvent::Motion], |_| true),
     owed(Duty::StopInTime, &[DutyEvent::StopPassed], &[DutyEvent::Motion], |_| true),
 ];
 
 /// What must be so at each place.
 #[rustfmt::skip]
-pub(in crate::check) const NEEDED: [Needed; 61] = [
+pub(in crate::check) const NEEDED: [Needed; 64] = [
     needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
     needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
@@ -249,6 +259,11 @@ pub(in crate::check) const NEEDED: [Needed; 61] = [
     needed(DutyPlace::Operation, Duty::AxesStated, has_safety_line, ""),
     needed(DutyPlace::Operation, Duty::TipControlOff, always, "tip control may be on: its code off is missing after the restart point and before the retract"),
     needed(DutyPlace::Operation, Duty::Blank, always, ""),
+
+    needed(DutyPlace::Park, Duty::OperationEnded, always, ""),
+    needed(DutyPlace::Park, Duty::ToolEnded, always, ""),
+
+    needed(DutyPlace::FrameEnd, Duty::MotionInFrame, always, "the plane, or the zero that follows the table, ends before a motion in it"),
 
     needed(DutyPlace::Feed, Duty::SpindleDwell, always, "the dwell after the start of the spindle (`spindle_dwell`) is missing"),
     needed(DutyPlace::Cut, Duty::SpindleAgain, always, SPINDLE_AGAIN),
