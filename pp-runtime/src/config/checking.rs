@@ -252,7 +252,7 @@ impl Config {
             own_safety: control.safety.is_some(),
             length_guard_mm: (guarded && self.set_up.length_mode == LengthMode::Tip)
                 .then_some(self.motion.guards.length_tolerance_mm),
-            has_planes: abilities.plane.is_some(),
+            has_planes: abilities.has_planes(machine.axes()),
             guards_tip_control: enters_by_axes,
             guards_rotated_axes_only: self.motion.guards.length_guard.is_none() && self.motion.mode_of_all().is_none(),
             guards_planes: self.motion.guards.plane_guard,

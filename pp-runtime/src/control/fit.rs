@@ -15,7 +15,7 @@ use super::dialects::{
     STANDARD_M, Spellings, ThreadCodes, TipControlCodes,
 };
 use super::foreign::of_another_control;
-use super::options::{ControlFunction, Demands, RetractMethod};
+use super::options::{ControlFunction, Demands, PlaneBy, RetractMethod};
 use super::states::ControlState;
 use super::template::{self, OF_TOOL};
 use crate::motion::tolerances::INDEX_STEP_NOISE;
@@ -28,20 +28,31 @@ const LONGEST_TOOL_NAME: usize = 32;
 /// still be missing for a stretch. What a program does without is in [`take_out_lacking`](super::take_out_lacking).
 #[must_use]
 pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
-    let Abilities { tip, plane, .. } = abilities(control, demands);
     let mut faults = unsupported(control, demands);
     faults.extend(unsuited_names(machine, control.spellings(), demands));
     faults.extend(unreadable_axis(control, demands));
     faults.extend(unwritable_steps(demands));
-    faults.append(&mut motion::unsuited(machine, demands.policy(), control.spellings().title, tip, plane));
+    let abilities = abilities(control, demands);
+    if demands.options.plane_by == Some(PlaneBy::DynamicOffset)
+        && rotaries_of(machine.axes(), Side::Tool).next().is_some()
+    {
+        faults.push(
+            "`control.plane_by = \"dynamic_offset\"`: a rotary axis is in the head, which a zero that follows the table does not \
+             know: leave the key out"
+                .to_owned(),
+        );
+    }
+    let (title, has_planes) = (control.spellings().title, abilities.has_planes(machine.axes()));
+    faults.append(&mut motion::unsuited(machine, demands.policy(), title, abilities.tip, has_planes));
     faults
 }
 
 /// The modes that mode `auto` chooses from.
 #[must_use]
 pub fn usable_modes(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> UsableModes {
-    let Abilities { tip, plane, .. } = abilities(control, demands);
-    UsableModes::of(machine, demands.policy(), control.spellings().title, tip, plane)
+    let abilities = abilities(control, demands);
+    let has_planes = abilities.has_planes(machine.axes());
+    UsableModes::of(machine, demands.policy(), control.spellings().title, abilities.tip, has_planes)
 }
 
 /// Steps of indexed axes that the rotary words cannot state exactly: multiples of the rounded step would be other angles.
@@ -138,6 +149,11 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
                  `control.coolant`"
             ));
         }
+    }
+    if options.plane_by == Some(PlaneBy::DynamicOffset)
+        && let Err(reason) = plane_by_moved_zero(codes, demands)
+    {
+        faults.push(format!("`control.plane_by = \"dynamic_offset\"`: {reason}"));
     }
     faults.extend(unsupported_retract(codes, options.retract_method.as_ref()));
     faults.extend(control.effects().iter().filter_map(|(text, effect)| effect.refusal(text)));
@@ -280,6 +296,23 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
     own.or_else(|| configured.then_some(plain))
 }
 
+/// Whether mode "plane" is a zero of the words that follows the table; the reason where it cannot be.
+fn plane_by_moved_zero(codes: &Spellings, demands: Demands<'_>) -> Result<(), String> {
+    let Some([code, _]) = codes.tip.as_ref().and_then(|tip| tip.dynamic_offset) else { return Err(String::new()) };
+    if demands.options.plane_by == Some(PlaneBy::TiltedPlane) {
+        return Err(String::new());
+    }
+    if !demands.options.has(ControlFunction::DynamicOffset) {
+        return Err(format!("{code} is not among `control.functions`: add \"dynamic_offset\" if the control has it"));
+    }
+    match demands.set_up.rotary_offset.iter().find(|(_, offset)| **offset != 0.0) {
+        Some((letter, _)) => Err(format!(
+            "{code} needs 0 for the rotary axes in the work offset, and `rotary_offset.{letter}` is another value"
+        )),
+        None => Ok(()),
+    }
+}
+
 /// A renamed rotary axis whose position the guard of planes cannot read.
 fn unreadable_axis(control: &dyn Control, demands: Demands<'_>) -> Option<String> {
     let mut renamed = demands.options.axes.iter().filter(|(letter, _)| "ABC".contains(**letter));
@@ -395,6 +428,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
                 length_first: plane.length_first,
             }
         }),
+        plane_by_moved_zero: plane_by_moved_zero(codes, demands).is_ok(),
         retracts_along_tool: matches!(demands.options.retract_form(codes), Some(RetractForm::AlongTool { .. })),
         retract_keeps_length: codes.length.call == LengthCall::WithZ
             && matches!(demands.options.retract_form(codes), Some(RetractForm::ReferencePosition { .. })),

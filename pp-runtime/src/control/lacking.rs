@@ -61,6 +61,13 @@ pub fn take_out_lacking(
     if add(options.swivel_data.is_some() && !swivel, "has no swivel data: `control.swivel_data` is left out") {
         options.swivel_data = None;
     }
+    let dynamic_offset = codes.tip.as_ref().is_some_and(|tip| tip.dynamic_offset.is_some());
+    if add(
+        options.plane_by.is_some() && !dynamic_offset,
+        "has one frame for mode plane: `control.plane_by` is left out",
+    ) {
+        options.plane_by = None;
+    }
     let inverse = matches!(options.path_norm, Some(PathNorm::G93Minutes | PathNorm::G93Seconds));
     if add(
         inverse && codes.inverse_time.is_none(),

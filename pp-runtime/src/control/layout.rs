@@ -31,7 +31,7 @@ pub struct Layout {
     pub tip_control: bool,
     /// The program has tilted planes: for stretches, or where tip control begins.
     pub planes: bool,
-    /// The program has a dynamic work offset where tip control begins.
+    /// The program has a dynamic work offset: in mode "plane", or where tip control begins.
     pub dynamic_offset: bool,
     /// Motion of the tool axis under tip control.
     pub posture: ToolPosture,
@@ -67,7 +67,9 @@ impl Layout {
         let linear = demands.formats.linear(units);
         let table = rotaries_of(machine.axes(), Side::Workpiece).next().is_some();
         let start = abilities.tip.filter(|_| table && modes.has(StretchMode::Tcp)).map(|tip| tip.start);
-        let dynamic_offset = start == Some(TipStart::WithMotion { dynamic_offset: true });
+        let tilts = modes.has(StretchMode::Plane) && !abilities.moves_zero_in_planes(machine.axes());
+        let dynamic_offset =
+            start == Some(TipStart::WithMotion { dynamic_offset: true }) || modes.has(StretchMode::Plane) && !tilts;
         let enters_by_plane = abilities.plane.is_some() && start.is_some_and(TipStart::is_over_tilted_table);
         let decimals = |kind: AxisKind| if kind == AxisKind::Linear { linear } else { demands.formats.rotary };
         Self {
@@ -79,7 +81,7 @@ impl Layout {
             name: name.to_vec(),
             shortest_axes: wrapped(demands).collect(),
             tip_control: modes.has(StretchMode::Tcp),
-            planes: modes.has(StretchMode::Plane) || enters_by_plane,
+            planes: tilts || enters_by_plane,
             dynamic_offset,
             posture: demands.motion.tip.tool_posture,
             vectors: demands.motion.tip.tcp_words == TcpWords::Vectors,

@@ -46,7 +46,7 @@ pub(crate) use foreign::of_another_control;
 pub use lacking::take_out_lacking;
 pub use layout::Layout;
 pub use options::{
-    BlockNumbers, ControlFunction, ControlOptions, Demands, LineEffect, Messages, ProgramBlocks, ProgramHeader,
-    RetractMethod, TipControlSwitch,
+    BlockNumbers, ControlFunction, ControlOptions, Demands, LineEffect, Messages, PlaneBy, ProgramBlocks,
+    ProgramHeader, RetractMethod, TipControlSwitch,
 };
 pub(crate) use states::{ControlState, ProgramUses, StepCycles, conditions, write_table};

@@ -99,6 +99,10 @@ options! {
         /// LinuxCNC may begin in such kinematics: with codes a program switches them off at each restart point, and without this key
         /// "none" is assumed.
         tip_control: Option<TipControlSwitch> = None, key("control.tip_control", TipControlKey, "[\"M428\", \"M429\"]");
+        /// Frame of the words in mode "plane" (Haas): "dynamic_offset" (G254: along the axes of the machine, from a zero that follows
+        /// the table; not with a rotary axis in the head, nor with `rotary_offset`), or "tilted_plane" (G268). Without this key it is
+        /// G254 where `functions` and the machine have it.
+        plane_by: Option<PlaneBy> = None, key("control.plane_by", OneOf(&PlaneBy::NAMES), "\"tilted_plane\"");
         /// Name of the swivel data record of CYCLE800.
         swivel_data: Option<String> = None, key("control.swivel_data", OneLine, "\"TABLE\"");
         /// Write the word of `tool_posture` where tip control is switched on (Fanuc: P of G43.4, an option of the control).
@@ -236,6 +240,20 @@ pub enum ProgramHeader {
 
 impl ProgramHeader {
     const NAMES: [(&'static str, Self); 2] = [("full", Self::Full), ("short", Self::Short)];
+}
+
+/// Frame of the words in mode "plane", on a control that has both.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlaneBy {
+    /// Along the axes of the machine, from a zero that has moved with the table.
+    DynamicOffset,
+    /// In the tilted plane.
+    TiltedPlane,
+}
+
+impl PlaneBy {
+    const NAMES: [(&'static str, Self); 2] =
+        [("dynamic_offset", Self::DynamicOffset), ("tilted_plane", Self::TiltedPlane)];
 }
 
 /// A function that is an option of controls.

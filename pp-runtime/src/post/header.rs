@@ -266,13 +266,18 @@ pub(crate) fn conditions(
 ) -> Vec<String> {
     let rotary = machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held);
     let native = config.motion.cycles.output == CycleOutput::Native && config.motion.lift_mm.is_none();
+    let abilities = control::abilities(control, config.demands());
+    let moves_zero = abilities.moves_zero_in_planes(machine.axes());
+    let enters_by_moved_zero = survey.modes.has(StretchMode::Tcp)
+        && abilities.tip.is_some_and(|tip| tip.start == TipStart::WithMotion { dynamic_offset: true });
     let uses = ProgramUses {
         rotary,
         tip_control: survey.modes.has(StretchMode::Tcp),
-        planes: survey.modes.has(StretchMode::Plane),
+        planes: survey.modes.has(StretchMode::Plane) && !moves_zero,
+        dynamic_offset: survey.modes.has(StretchMode::Plane) && moves_zero || enters_by_moved_zero,
         compensation: config.motion.compensation.is_some(),
         cycles: native && survey.holes,
-        offset_guard: control::abilities(control, config.demands()).guards_offset,
+        offset_guard: abilities.guards_offset,
         length_guard: config.motion.guards.length_guard == Some(true),
     };
     let mut list = control::conditions(control, &config.control, &uses);
@@ -871,8 +876,13 @@ fn mode_lines(machine: &dyn AnyMachine, control: &dyn Control, config: &Config, 
         );
     }
     if modes.has(StretchMode::Plane) {
-        let words = "tip coordinates in the tilted plane, from the same zero";
-        add(StretchMode::Plane, words, &[codes.plane.as_ref().map_or("", |plane| plane.note), compared]);
+        if abilities.moves_zero_in_planes(machine.axes()) {
+            let words = "tip coordinates along the axes of the machine, from the zero that has moved with the table";
+            add(StretchMode::Plane, words, &[]);
+        } else {
+            let words = "tip coordinates in the tilted plane, from the same zero";
+            add(StretchMode::Plane, words, &[codes.plane.as_ref().map_or("", |plane| plane.note), compared]);
+        }
     }
     if mixed && modes.has(StretchMode::Axes) {
         add(StretchMode::Axes, "positions of the axes", &[]);

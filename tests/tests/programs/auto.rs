@@ -165,7 +165,8 @@ fn x_of_a_plane_is_that_of_the_part() {
         ("haas", "G268 X0. Y0. Z0. I0. J45. K0. Q123"),
         ("siemens", "CYCLE800(0,\"\",0,57,0,0,0,0,45"),
     ] {
-        let program = posted_in::<SpinnerU5620>("plane", control, "", &operation).expect("it can be posted");
+        let by = if control == "haas" { "control.plane_by = \"tilted_plane\"\n" } else { "" };
+        let program = posted_in::<SpinnerU5620>("plane", control, by, &operation).expect("it can be posted");
         assert!(program.contains(plane), "{control}\n{program}");
     }
 }

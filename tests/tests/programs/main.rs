@@ -22,6 +22,7 @@ mod linearised;
 mod links;
 mod mixed_job;
 mod modes;
+mod moved_zero;
 mod near_limits;
 mod near_poles;
 mod new_folder;

@@ -87,8 +87,9 @@ fn few_decimals_compare_less() {
 
 #[test]
 fn a_plane_between_the_steps_of_indexed_axes_is_refused() {
-    let grid = "grid = { B = 0.5 }\n[course]\naxis_tolerance = 0.5";
     for name in ["siemens", "heidenhain", "fanuc", "haas"] {
+        let by = if name == "haas" { "control.plane_by = 'tilted_plane'\n" } else { "" };
+        let grid = &format!("{by}grid = {{ B = 0.5 }}\n[course]\naxis_tolerance = 0.5");
         let program = posted::<SpinnerU5620>(name, grid, &faces(&[40.0, 20.5]));
         assert!(program.contains("B40") || program.contains("B+40"), "{name}\n{program}");
         let control = control::by_name(name).expect("it is there");

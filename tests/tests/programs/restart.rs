@@ -262,7 +262,7 @@ fn a_frame_that_is_lost_after_a_restart_point_is_found() {
         (Mode::Plane, "plane", "fanuc", "G53.1"),
         (Mode::Plane, "plane", "siemens", "CYCLE800(0"),
         (Mode::Plane, "plane", "heidenhain", "PLANE SPATIAL"),
-        (Mode::Plane, "plane", "haas", "G268"),
+        (Mode::Plane, "plane", "haas", "G254"),
     ] {
         // A program that is entered after the block that sets the frame does not have it.
         let program = works(name, "spinner-u5-620", control);

@@ -135,7 +135,9 @@ fn a_hole_that_a_cycle_would_drill_beyond_the_tolerance_is_written_as_motions() 
     let control = control::by_name("haas").expect("it is there");
     let cycle = "CYCLE/DRILL,RAPTO,3.0000,FEDTO,-40.0000,RTRCTO,AUTO,MMPM,320.0000";
     let cycles = |tolerance: f64, axis: Vector3<f64>| {
-        let keys = format!("tolerance = {tolerance:?}\n[formats]\nrotary = 2\n[retract]\ndistance = 60.0");
+        let keys = format!(
+            "tolerance = {tolerance:?}\ncontrol.plane_by = 'tilted_plane'\n[formats]\nrotary = 2\n[retract]\ndistance = 60.0"
+        );
         let config = config::<HaasUmc>(control, "plane", &keys);
         passes::<HaasUmc>(&config, control, &holes(axis, [50.0, 0.0], cycle, false)).1.statistics.cycles
     };
@@ -160,7 +162,10 @@ fn a_thread_that_cannot_be_a_cycle_is_refused_with_what_makes_it_one() {
         assert!(error.text.starts_with("tapping synchronises spindle and feed"), "{error:?}");
         error.help.clone().unwrap_or_default()
     };
-    assert!(help("plane", "tolerance = 0.001\n[formats]\nrotary = 1").contains("`formats.rotary`"));
+    assert!(
+        help("plane", "tolerance = 0.001\ncontrol.plane_by = 'tilted_plane'\n[formats]\nrotary = 1")
+            .contains("`formats.rotary`")
+    );
     assert!(help("tcp", "").contains("`mode = \"plane\"`"));
     assert!(help("plane", "[cycles]\noutput = 'expanded'").contains("native"));
     assert_eq!(passes::<HaasUmc>(&config::<HaasUmc>(control, "plane", ""), control, &cl).1.statistics.cycles, 3);

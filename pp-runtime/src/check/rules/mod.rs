@@ -168,10 +168,10 @@ impl<'a> Rules<'a> {
     pub(super) fn follow_frame(&mut self, state: &State) {
         self.framed = is_framed(state);
         if self.policy.linear_of_all().is_none() {
-            self.meaning = match (state.tip_control, &state.tilt) {
-                (TipControl::On { .. }, _) => LinearMeaning::TipCoordinates,
-                (TipControl::Off, Some(_)) => LinearMeaning::PlaneCoordinates,
-                (TipControl::Off, None) => LinearMeaning::AxisPositions,
+            self.meaning = match state.tip_control {
+                TipControl::On { .. } => LinearMeaning::TipCoordinates,
+                TipControl::Off if state.has_frame() => LinearMeaning::PlaneCoordinates,
+                TipControl::Off => LinearMeaning::AxisPositions,
             };
             self.law.follow(self.meaning);
             self.rounding = self.rounding.for_words(self.meaning);
@@ -590,7 +590,7 @@ fn largest_rest_rad(axes: &[Axis], policy: &CheckPolicy, first_rotary: Option<us
     if limited { TAU } else { PI }
 }
 
-/// Whether linear words are coordinates of the tip, or of a tilted plane.
+/// Whether linear words are coordinates of the tip, or of a tilted plane: they are not along the axes.
 fn is_framed(state: &State) -> bool {
     state.tip_control != TipControl::Off || state.tilt.is_some()
 }

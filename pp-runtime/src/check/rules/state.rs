@@ -171,7 +171,7 @@ impl Rules<'_> {
         }
     }
 
-    /// At a position of the machine; `tilts`: a plane may still be tilted; `spindle_on`: the state in which the spindle may be.
+    /// At a position of the machine; `tilts`: the frame of a plane may still be in force; `spindle_on`: the state in which the spindle may be.
     pub(crate) fn fault_at_retract(
         &self,
         block: &Block,
@@ -196,7 +196,7 @@ impl Rules<'_> {
             .or_else(|| inverse_time(state))
             .map(StateFault::from)
             .or(tip_control)
-            .or_else(|| moved_zero(state).or_else(|| tilted(state).filter(|_| !tilts)).map(StateFault::from))
+            .or_else(|| moved_zero(state).or_else(|| tilted(state)).filter(|_| !tilts).map(StateFault::from))
             .or(length)
             .or_else(|| in_each_order(block, |state| spindle(state, spindle_on)))
             .or_else(|| if context.dry { in_each_order(block, |state| coolant(state, 0)) } else { None })
@@ -338,9 +338,9 @@ impl Rules<'_> {
                 .filter(|tilt| !tilt.oriented)
                 .map(|_| "a tilted plane is active, but the rotary axes have not been positioned to it".to_owned());
         }
-        if state.dynamic_offset {
+        if state.dynamic_offset && !(framed && self.meaning == PlaneCoordinates) {
             return Some(
-                "the dynamic work offset (G254) is active, which belongs to the way to tip control only".to_owned(),
+                "the dynamic work offset (G254) is active, but words are not counted from its zero".to_owned(),
             );
         }
         let tip_control = state.tip_control != TipControl::Off;
@@ -351,6 +351,7 @@ impl Rules<'_> {
             }
             // With the rotary axes at zero these are coordinates in a plane that is not tilted.
             (PlaneCoordinates, true) if !tilted && self.are_at_zero(block) => None,
+            (PlaneCoordinates, true) if state.dynamic_offset => None,
             (PlaneCoordinates, true) if !tilted => {
                 Some("no tilted plane is active, but linear words are coordinates in one".to_owned())
             }

@@ -328,7 +328,13 @@ static SPELLINGS: Spellings = Spellings {
         ("clamp", r#"{ on = "M10", off = "M11" }"#),
         ("clamp", r#"{ on = "M22", off = "M23" }"#),
     ],
-    unused_keys: &["control.program_number", "control.smoothing_levels", "control.swivel_data", "control.states"],
+    unused_keys: &[
+        "control.program_number",
+        "control.smoothing_levels",
+        "control.swivel_data",
+        "control.states",
+        "control.plane_by",
+    ],
     found_at: &[
         FoundAt {
             key: "part_origin",

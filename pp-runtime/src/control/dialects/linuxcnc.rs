@@ -91,6 +91,7 @@ static SPELLINGS: Spellings = Spellings {
         "control.smoothing_levels",
         "control.functions",
         "control.swivel_data",
+        "control.plane_by",
         "cycles.bore_retract",
         "cycles.bore_shift",
     ],

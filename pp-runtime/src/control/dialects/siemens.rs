@@ -218,7 +218,7 @@ static SPELLINGS: Spellings = Spellings {
         ("cycles.measure_tool", r#"["MEASURE_TOOL({tool})"]"#),
         ("cycles.check_tool", r#"["CHECK_TOOL({tool})"]"#),
     ],
-    unused_keys: &["control.program_number", "control.smoothing_levels", "control.states"],
+    unused_keys: &["control.program_number", "control.smoothing_levels", "control.states", "control.plane_by"],
     found_at: &[
         FoundAt {
             key: "part_origin",

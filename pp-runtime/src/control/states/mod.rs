@@ -75,6 +75,8 @@ pub(crate) struct ProgramUses {
     pub(crate) rotary: bool,
     pub(crate) tip_control: bool,
     pub(crate) planes: bool,
+    /// The zero of the words moves with the table.
+    pub(crate) dynamic_offset: bool,
     pub(crate) compensation: bool,
     pub(crate) cycles: bool,
     /// Guards compare what lies over the work offset.
@@ -130,7 +132,11 @@ impl StateRow {
 /// Whether a program ends a function at each restart point.
 fn ends(function: ControlFunction, codes: &Spellings, options: &ControlOptions, uses: &ProgramUses) -> bool {
     let functions = options.functions.as_deref();
-    let used = function == ControlFunction::Planes && uses.planes;
+    let used = match function {
+        ControlFunction::Planes => uses.planes,
+        ControlFunction::DynamicOffset => uses.dynamic_offset,
+        _ => false,
+    };
     match codes.cancels.iter().find(|cancel| cancel.of == function) {
         Some(cancel) => cancel.is_due(functions),
         None => used || functions.is_some_and(|listed| listed.contains(&function)),

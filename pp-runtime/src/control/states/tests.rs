@@ -58,6 +58,7 @@ fn what_no_word_code_or_guard_deals_with_is_a_condition() {
         rotary: true,
         tip_control: true,
         planes: true,
+        dynamic_offset: true,
         compensation: true,
         cycles: true,
         offset_guard: on,

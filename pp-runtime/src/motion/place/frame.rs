@@ -215,6 +215,11 @@ impl WordFrame {
         WordMap { rotation, shift_mm: rotation * self.zero_mm }
     }
 
+    /// Sets the frame to a zero that has moved with the table, as it is at these axis values.
+    pub(crate) fn move_zero(&mut self, machine: &dyn AnyMachine, axes: &AxisValues) {
+        self.meaning = LinearWords::Fixed(self.moved_zero_map(machine, axes));
+    }
+
     /// Map from the workpiece frame to the words; `None` if the words are axis values.
     #[inline(always)]
     pub(crate) fn map(&self, machine: &dyn AnyMachine, axes: &AxisValues) -> Option<WordMap> {

@@ -8,7 +8,6 @@ use crate::set_up::LengthMode;
 
 use super::chain::rotaries;
 use super::frame::{TipAbility, TipStart};
-use super::tilted_plane::PlaneAbility;
 use crate::motion::tolerances::COORDINATE_AXIS;
 
 /// Modes other than axis positions that machine, control and configuration allow.
@@ -46,10 +45,10 @@ impl UsableModes {
         policy: Policy<'_>,
         control: &str,
         tip: Option<TipAbility>,
-        plane: Option<PlaneAbility>,
+        has_planes: bool,
     ) -> Self {
         let rotates = rotaries(machine.axes(), Side::Workpiece).chain(rotaries(machine.axes(), Side::Tool)).next();
-        let faults = |mode| Faults { machine, policy, control, mode, list: Vec::new() }.find(tip, plane);
+        let faults = |mode| Faults { machine, policy, control, mode, list: Vec::new() }.find(tip, has_planes);
         let [tip, plane] = [StretchMode::Tcp, StretchMode::Plane].map(faults);
         let absent = |fault: &Unsuited| matches!(fault, Unsuited::Absent(_));
         let usable = |faults: &[Unsuited]| rotates.is_some() && !faults.iter().any(absent);
@@ -78,12 +77,12 @@ pub fn unsuited(
     policy: Policy<'_>,
     control: &str,
     tip: Option<TipAbility>,
-    plane: Option<PlaneAbility>,
+    has_planes: bool,
 ) -> Vec<String> {
     let Some(mode) = policy.options.mode_of_all() else { return Vec::new() };
     let Ok(machine) = policy.set_up.machine_for(machine) else { return Vec::new() };
     let faults = Faults { machine: &*machine, policy, control, mode, list: Vec::new() };
-    faults.find(tip, plane).into_iter().map(Unsuited::text).collect()
+    faults.find(tip, has_planes).into_iter().map(Unsuited::text).collect()
 }
 
 /// Search for the reasons why a mode cannot be used.
@@ -104,7 +103,7 @@ impl Faults<'_> {
         self.list.push(Unsuited::Setting(format!("mode {}: {text}; {instead}", self.mode.name())));
     }
 
-    fn find(mut self, tip: Option<TipAbility>, plane: Option<PlaneAbility>) -> Vec<Unsuited> {
+    fn find(mut self, tip: Option<TipAbility>, has_planes: bool) -> Vec<Unsuited> {
         if self.mode == StretchMode::Axes {
             return self.list;
         }
@@ -119,7 +118,7 @@ impl Faults<'_> {
                     "give the codes that switch it on and off, `[control] tip_control = [on, off]`, or use mode axes";
                 self.absent(&text, instead);
             }
-            (StretchMode::Plane, _) if plane.is_none() => {
+            (StretchMode::Plane, _) if !has_planes => {
                 let text = format!("{} has no tilted work plane, or not among its `functions`", self.control);
                 self.absent(&text, "mode axes works on any control, mode tcp on most");
             }

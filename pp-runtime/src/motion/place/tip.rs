@@ -192,6 +192,13 @@ impl Placer {
         Ok((place, tilt))
     }
 
+    /// Position with words in the directions of the machine, from a zero that has moved with the table.
+    pub(crate) fn in_moved_zero(&mut self, mut place: AxisPosition) -> Result<AxisPosition, Fault> {
+        self.frame.move_zero(&*self.machine, &place.axes);
+        self.solve_linear_in_travel(&mut place)?;
+        Ok(place)
+    }
+
     /// The tool axis that a plane at a position has; refused where indexed axes cannot take it: the control would rotate them
     /// off their steps.
     pub(crate) fn axis_of_plane(&self, place: &AxisPosition) -> Result<UnitVector3<f64>, Fault> {

@@ -1,6 +1,8 @@
 //! Abilities of a control, as far as planning depends on them.
 
+use crate::kinematics::{Axis, Side};
 use crate::motion::options::PathNorm;
+use crate::motion::rotaries_of;
 use crate::program::Coolants;
 
 use crate::motion::geometry::StraightCorners;
@@ -48,6 +50,8 @@ pub struct Abilities {
     pub tip: Option<TipAbility>,
     /// Tilted planes, if the control has them.
     pub plane: Option<PlaneAbility>,
+    /// In mode "plane" the zero of the words moves with the table instead, where no rotary axis is in the head.
+    pub plane_by_moved_zero: bool,
     /// The machine retract leads along the tool axis, wherever that points.
     pub retracts_along_tool: bool,
     /// The length offset is in force after the machine retract, and the code that ends it may move the tool.
@@ -80,6 +84,18 @@ impl Abilities {
     #[must_use]
     pub fn enters_tip_control_by_axes(&self) -> bool {
         self.tip.is_some_and(|tip| tip.start != TipStart::Alone)
+    }
+
+    /// Whether mode "plane" is possible, on a machine with these axes.
+    #[must_use]
+    pub fn has_planes(&self, axes: &'static [Axis]) -> bool {
+        self.plane.is_some() || self.moves_zero_in_planes(axes)
+    }
+
+    /// Whether the zero of the words moves with the table in mode "plane", on a machine with these axes.
+    #[must_use]
+    pub fn moves_zero_in_planes(&self, axes: &'static [Axis]) -> bool {
+        self.plane_by_moved_zero && rotaries_of(axes, Side::Tool).next().is_none()
     }
 }
 

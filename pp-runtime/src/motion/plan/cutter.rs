@@ -281,10 +281,15 @@ pub(crate) fn arc<'a, S: Sink>(
     Ok(())
 }
 
-/// Largest angle between the tool axis and Z of a tilted plane by the rounding of its three angles, rad.
+/// Largest angle between the tool axis and Z of a plane by the rounding of its three angles, or of the rotary words where its zero
+/// follows the table, rad.
 fn plane_lean<S: Sink>(planner: &Planner<'_, S>) -> f64 {
-    let plane = planner.abilities.plane.filter(|_| planner.mover.placer().mode() == StretchMode::Plane);
-    plane.map_or(0.0, |plane| 1.5 * 10_f64.powi(-plane.decimals.cast_signed()).to_radians())
+    let decimals = match planner.mover.placer().mode() {
+        StretchMode::Axes | StretchMode::Tcp => None,
+        StretchMode::Plane if planner.mover.moves_zero() => Some(planner.policy.formats.rotary),
+        StretchMode::Plane => planner.abilities.plane.map(|plane| plane.decimals),
+    };
+    decimals.map_or(0.0, |decimals| 1.5 * 10_f64.powi(-decimals.cast_signed()).to_radians())
 }
 
 /// A motion in program coordinates, mm; refused where the tool axis is not Z of the program.

@@ -31,13 +31,8 @@ O00001 (NONAME)
 (rotary axes move evenly)
 (MODE tcp: G234 must move only the axes of its block, and G49 G53 straight to)
 (the machine position)
-(LINEAR WORDS in planes are tip coordinates in the tilted plane, from the)
-(same zero)
-(MODE plane: G43 H must move nothing by itself, G268 must rotate about X,)
-(then Y, then Z of the work offset, and G253 must take the pose of the actual)
-(axis positions)
-(MODE plane: no block of this program compares the rotary axes after a plane)
-(call)
+(LINEAR WORDS in planes are tip coordinates along the axes of the machine,)
+(from the zero that has moved with the table)
 (linear limits not checked: no travel declared [X Y Z])
 (the entries of C and B in G54 and G55 must be zero)
 (T1 drill 8 L120 H1, 2 operations, tip Z -20 to 60)
@@ -55,14 +50,13 @@ O00001 (NONAME)
 (CONDITION setting 108 does not rotate an axis at G28 that the program leaves)
 (where it is)
 (CONDITION off, or not installed [`control.functions` has them ended]: G51)
-(scaling, G68 rotation, G254 dynamic work offset, G187 smoothing, settings 85)
-(and 191)
+(scaling, G68 rotation, G268 tilted plane, G187 smoothing, settings 85 and)
+(191)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
 (OPERATION DRILL)
 N1 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 (T1 drill 8)
@@ -86,7 +80,6 @@ G49 G53 G00 Z0.
 (OPERATION TAP)
 N2 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 M05
@@ -111,7 +104,6 @@ G49 G53 G00 Z0.
 (OPERATION FACE_45)
 N3 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 M05
@@ -121,55 +113,49 @@ T4
 G49 G53 G00 Z0.
 S5000 M03
 G00 B65.53 C24.47
-G43 H3
-G268 X0. Y0. Z0. I0. J45. K0. Q123
-G253
-G00 X-20. Y-20.
-Z52.
+G254
+G00 X-9.919 Y-26.488
+G43 H3 Z52.
 M08
 Z24.
 G01 Z20. F300.
-G41 D3 X-10. Y-10. F800.
-Y0.
-G02 X10. Y0. I10. J0.
-G01 Y-10.
-G40 X20. Y-20.
-G00 Z62.
+G41 D3 X-4.96 Y-13.244 F800.
+X-9.102 Y-4.142
+G02 X9.102 Y4.142 I9.102 J4.142
+G01 X13.244 Y-4.96
+G40 X26.488 Y-9.919
+G00 Y-9.92 Z62.
 M09
-Z89.545
+Z89.544
 G49 G53 G00 Z0.
-G269
+G255
 (OPERATION FACE_30)
 N4 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 (T3 stays in the spindle)
 S5000 M03
 G00 B42.941 C-74.458
-G43 H3
-G268 X0. Y0. Z0. I30. J0. K0. Q123
-G253
-G00 X-20. Y-20.
-Z52.
+G254
+G00 X24.628 Y-13.91
+G43 H3 Z52.
 M08
 Z24.
 G01 Z20. F300.
-X-10. Y-10. F800.
-Y0.
-G02 X10. Y0. I10. J0.
-G01 Y-10.
-X20. Y-20.
+X12.314 Y-6.955 F800.
+X2.68 Y-9.634
+G02 X-2.679 Y9.634 I-2.68 J9.634
+G01 X6.955 Y12.314
+X13.91 Y24.628
 G00 Z62.
 M09
 Z80.829
 G49 G53 G00 Z0.
-G269
+G255
 (OPERATION BLADE)
 N5 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 M05
@@ -294,7 +280,6 @@ G49 G53 G00 Z0.
 (OPERATION BACK_DRILL)
 N6 G21 G17 G40 G49 G80 G90 G94 G55
 G255
-G269
 M09
 G53 G00 Z0.
 (T1 drill 8)
@@ -316,7 +301,6 @@ G49 G53 G00 Z0.
 (OPERATION BACK_FACE)
 N7 G21 G17 G40 G49 G80 G90 G94 G55
 G255
-G269
 M09
 G53 G00 Z0.
 M05
@@ -326,24 +310,22 @@ T1
 G49 G53 G00 Z0.
 S5000 M03
 G00 B28.432 C100.156
-G43 H3
-G268 X0. Y0. Z0. I-20. J0. K0. Q123
-G253
-G00 X20. Y-20.
-Z52.
+G254
+G00 X-16.16 Y-23.213
+G43 H3 Z52.
 M08
 Z24.
 G01 Z20. F300.
-X10. Y-10. F800.
-X0.
-G02 X0. Y10. I0. J10.
-G01 X10.
-X20. Y20.
+X-8.08 Y-11.607 F800.
+X-9.843 Y-1.763
+G02 X9.843 Y1.763 I9.843 J1.763
+G01 X11.607 Y-8.08
+X23.213 Y-16.16
 G00 Z62.
 M09
 Z71.13
 G49 G53 G00 Z0.
-G269
+G255
 M05
 G00 B0. C0.
 M30

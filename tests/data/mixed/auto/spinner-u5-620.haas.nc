@@ -30,13 +30,8 @@ O00001 (NONAME)
 (rotary axes move evenly)
 (MODE tcp: G234 must move only the axes of its block, and G49 G53 straight to)
 (the machine position)
-(LINEAR WORDS in planes are tip coordinates in the tilted plane, from the)
-(same zero)
-(MODE plane: G43 H must move nothing by itself, G268 must rotate about X,)
-(then Y, then Z of the work offset, and G253 must take the pose of the actual)
-(axis positions)
-(MODE plane: no block of this program compares the rotary axes after a plane)
-(call)
+(LINEAR WORDS in planes are tip coordinates along the axes of the machine,)
+(from the zero that has moved with the table)
 (linear limits not checked: no travel declared [X Y Z])
 (the entries of C and B in G54 and G55 must be zero)
 (T1 drill 8 L120 H1, 2 operations, tip Z -20 to 60)
@@ -54,14 +49,13 @@ O00001 (NONAME)
 (CONDITION setting 108 does not rotate an axis at G28 that the program leaves)
 (where it is)
 (CONDITION off, or not installed [`control.functions` has them ended]: G51)
-(scaling, G68 rotation, G254 dynamic work offset, G187 smoothing, settings 85)
-(and 191)
+(scaling, G68 rotation, G268 tilted plane, G187 smoothing, settings 85 and)
+(191)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
 (OPERATION DRILL)
 N1 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 (T1 drill 8)
@@ -85,7 +79,6 @@ G49 G53 G00 Z0.
 (OPERATION TAP)
 N2 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 M05
@@ -110,7 +103,6 @@ G49 G53 G00 Z0.
 (OPERATION FACE_45)
 N3 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 M05
@@ -120,11 +112,9 @@ T4
 G49 G53 G00 Z0.
 S5000 M03
 G00 B45. C0.
-G43 H3
-G268 X0. Y0. Z0. I0. J45. K0. Q123
-G253
+G254
 G00 X-20. Y-20.
-Z52.
+G43 H3 Z52.
 M08
 Z24.
 G01 Z20. F300.
@@ -137,38 +127,34 @@ G00 Z62.
 M09
 Z89.545
 G49 G53 G00 Z0.
-G269
+G255
 (OPERATION FACE_30)
 N4 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 (T3 stays in the spindle)
 S5000 M03
 G00 B30. C-90.
-G43 H3
-G268 X0. Y0. Z0. I30. J0. K0. Q123
-G253
-G00 X-20. Y-20.
-Z52.
+G254
+G00 X20. Y-20.
+G43 H3 Z52.
 M08
 Z24.
 G01 Z20. F300.
-X-10. Y-10. F800.
-Y0.
-G02 X10. Y0. I10. J0.
-G01 Y-10.
-X20. Y-20.
+X10. Y-10. F800.
+X0.
+G02 X0. Y10. I0. J10.
+G01 X10.
+X20. Y20.
 G00 Z62.
 M09
 Z80.829
 G49 G53 G00 Z0.
-G269
+G255
 (OPERATION BLADE)
 N5 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 M05
@@ -293,7 +279,6 @@ G49 G53 G00 Z0.
 (OPERATION BACK_DRILL)
 N6 G21 G17 G40 G49 G80 G90 G94 G55
 G255
-G269
 M09
 G53 G00 Z0.
 (T1 drill 8)
@@ -315,7 +300,6 @@ G49 G53 G00 Z0.
 (OPERATION BACK_FACE)
 N7 G21 G17 G40 G49 G80 G90 G94 G55
 G255
-G269
 M09
 G53 G00 Z0.
 M05
@@ -325,24 +309,22 @@ T1
 G49 G53 G00 Z0.
 S5000 M03
 G00 B20. C90.
-G43 H3
-G268 X0. Y0. Z0. I-20. J0. K0. Q123
-G253
-G00 X20. Y-20.
-Z52.
+G254
+G00 X-20. Y-20.
+G43 H3 Z52.
 M08
 Z24.
 G01 Z20. F300.
-X10. Y-10. F800.
-X0.
-G02 X0. Y10. I0. J10.
-G01 X10.
-X20. Y20.
+X-10. Y-10. F800.
+Y0.
+G02 X10. Y0. I10. J0.
+G01 Y-10.
+X20. Y-20.
 G00 Z62.
 M09
 Z71.13
 G49 G53 G00 Z0.
-G269
+G255
 M05
 G00 B0. C0.
 M30

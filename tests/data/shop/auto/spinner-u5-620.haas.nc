@@ -17,12 +17,8 @@ O01234 (SHOP)
 (AXIS X+ moves the tool along +X, as in ISO 841)
 (AXIS Y+ moves the tool along +Y, as in ISO 841)
 (AXIS Z+ moves the tool along +Z, as in ISO 841)
-(LINEAR WORDS are tip coordinates in the tilted plane, from the same zero)
-(MODE plane: G43 H must move nothing by itself, G268 must rotate about X,)
-(then Y, then Z of the work offset, and G253 must take the pose of the actual)
-(axis positions)
-(MODE plane: no block of this program compares the rotary axes after a plane)
-(call)
+(LINEAR WORDS are tip coordinates along the axes of the machine, from the)
+(zero that has moved with the table)
 (linear limits not checked: no travel declared [X Y Z])
 (the entries of C and B in G54 must be zero)
 (T1 mill 12 DIA 12 L120 H1, 1 operation, tip Z -2 to 60)
@@ -37,13 +33,13 @@ O01234 (SHOP)
 (CONDITION setting 108 does not rotate an axis at G28 that the program leaves)
 (where it is)
 (CONDITION off, or not installed [`control.functions` has them ended]: G51)
-(scaling, G68 rotation, G254 dynamic work offset, G187 smoothing, settings 85)
-(and 191)
+(scaling, G68 rotation, G268 tilted plane, G187 smoothing, settings 85 and)
+(191)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
 (OPERATION FACE_ROUGH)
 N1 G21 G17 G40 G49 G80 G90 G94 G54
-G269
+G255
 M09
 G53 G00 Z0.
 (T1 mill 12)
@@ -67,7 +63,7 @@ G187
 G49 G53 G00 Z0.
 (OPERATION DRILL)
 N2 G21 G17 G40 G49 G80 G90 G94 G54
-G269
+G255
 M09
 G53 G00 Z0.
 M05
@@ -89,7 +85,7 @@ M09
 G49 G53 G00 Z0.
 (OPERATION FINISH_45)
 N3 G21 G17 G40 G49 G80 G90 G94 G54
-G269
+G255
 M09
 G53 G00 Z0.
 M05
@@ -99,11 +95,9 @@ T1
 G49 G53 G00 Z0.
 S9000 M03
 G00 B45. C0.
-G43 H3
-G268 X0. Y0. Z0. I0. J45. K0. Q123
-G253
+G254
 G00 X0. Y-20.
-Z72.
+G43 H3 Z72.
 M08
 Z32.
 G187 P3 E0.01
@@ -116,7 +110,7 @@ M09
 Z131.
 G187
 G49 G53 G00 Z0.
-G269
+G255
 M05
 M30
 %

@@ -19,12 +19,8 @@ O00001 (NONAME)
 (AXIS X+ moves the tool along +X, as in ISO 841)
 (AXIS Y+ moves the tool along +Y, as in ISO 841)
 (AXIS Z+ moves the tool along +Z, as in ISO 841)
-(LINEAR WORDS are tip coordinates in the tilted plane, from the same zero)
-(MODE plane: G43 H must move nothing by itself, G268 must rotate about X,)
-(then Y, then Z of the work offset, and G253 must take the pose of the actual)
-(axis positions)
-(MODE plane: no block of this program compares the rotary axes after a plane)
-(call)
+(LINEAR WORDS are tip coordinates along the axes of the machine, from the)
+(zero that has moved with the table)
 (linear limits not checked: no travel declared [X Y Z])
 (the entries of C and B in G54 must be zero)
 (T1 DIA 10 R0 L110 H1, 2 operations, tip Z -7.398 to 36.793)
@@ -38,8 +34,8 @@ O00001 (NONAME)
 (CONDITION setting 108 does not rotate an axis at G28 that the program leaves)
 (where it is)
 (CONDITION off, or not installed [`control.functions` has them ended]: G51)
-(scaling, G68 rotation, G254 dynamic work offset, G187 smoothing, settings 85)
-(and 191)
+(scaling, G68 rotation, G268 tilted plane, G187 smoothing, settings 85 and)
+(191)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
@@ -49,7 +45,7 @@ O00001 (NONAME)
 (is 0)
 (OPERATION ARCS)
 N1 G21 G17 G40 G49 G80 G90 G94 G54
-G269
+G255
 M09
 G53 G00 Z0.
 T1 M06
@@ -77,31 +73,29 @@ M01
 G49 G53 G00 Z0.
 (OPERATION TILTED)
 N2 G21 G17 G40 G49 G80 G90 G94 G54
-G269
+G255
 M09
 G53 G00 Z0.
 (T1 stays in the spindle)
 S4000 M03
 G00 B25. C40.107
-G43 H1
-G268 X0. Y0. Z0. I-17.612 J18.033 K-5.613 Q123
-G253
-G00 X-11.355 Y-6.232
-Z34.739
+G254
+G00 X-12.56 Y3.165
+G43 H1 Z34.739
 M08
 G01 Z2.739 F300.
-X13.528 Y-3.816 F700.
-G03 X11.595 Y16.091 I-0.967 J9.953
-G01 X-13.288 Y13.674
-X-11.355 Y-6.232
+X7.312 Y-12.004 F700.
+G03 X19.447 Y3.893 I6.067 J7.949
+G01 X-0.425 Y19.063
+X-12.56 Y3.165
 Z34.739
 M09
 G00 Z94.739
 G49 G53 G00 Z0.
-G269
+G255
 (OPERATION HOLES)
 N3 G21 G17 G40 G49 G80 G90 G94 G54
-G269
+G255
 M09
 G53 G00 Z0.
 M05
@@ -110,29 +104,27 @@ T1
 G49 G53 G00 Z0.
 S2500 M03
 G00 B25. C40.107
-G43 H2
-G268 X0. Y0. Z0. I-17.612 J18.033 K-5.613 Q123
-G253
-G00 X-9.336 Y4.011
-Z29.739
+G254
+G00 X-4.108 Y9.294
+G43 H2 Z29.739
 M08
-G98 G81 X-9.336 Y4.011 Z-1.261 R6.739 F150.
-X2.608 Y5.171
+G98 G81 X-4.108 Y9.294 Z-1.261 R6.739 F150.
+X5.431 Y2.012
 G80
-G98 G82 X14.552 Y6.331 Z-1.261 R6.739 P0.5 F150.
+G98 G82 X14.969 Y-5.269 Z-1.261 R6.739 P0.5 F150.
 G80
-G98 G83 X-10.496 Y15.955 Z-10.261 R6.739 Q4. F150.
+G98 G83 X3.174 Y18.832 Z-10.261 R6.739 Q4. F150.
 G80
-G98 G83 X1.448 Y17.115 Z-6.261 R10.739 Q4. F150.
+G98 G83 X12.712 Y11.551 Z-6.261 R10.739 Q4. F150.
 G80
-G98 G73 X13.392 Y18.275 Z-6.261 R6.739 Q4. F150.
+G98 G73 X22.251 Y4.269 Z-6.261 R6.739 Q4. F150.
 G80
-G98 G85 X3.768 Y-6.773 Z-1.261 R6.739 F80.
+G98 G85 X-1.851 Y-7.526 Z-1.261 R6.739 F80.
 G80
 M09
 G00 Z89.739
 G49 G53 G00 Z0.
-G269
+G255
 M05
 M00
 G49 G53 G00 Z0.

@@ -26,13 +26,8 @@ O00001 (NONAME)
 (rotary axes move evenly)
 (MODE tcp: G234 must move only the axes of its block, and G49 G53 straight to)
 (the machine position)
-(LINEAR WORDS in planes are tip coordinates in the tilted plane, from the)
-(same zero)
-(MODE plane: G43 H must move nothing by itself, G268 must rotate about X,)
-(then Y, then Z of the work offset, and G253 must take the pose of the actual)
-(axis positions)
-(MODE plane: no block of this program compares the rotary axes after a plane)
-(call)
+(LINEAR WORDS in planes are tip coordinates along the axes of the machine,)
+(from the zero that has moved with the table)
 (linear limits not checked: no travel declared [Y X Z])
 (the entries of A in G54 must be zero)
 (T1 DIA 10 R0 L110 H1, 3 operations, tip Z -35.818 to 45.394)
@@ -49,8 +44,8 @@ O00001 (NONAME)
 (CONDITION setting 108 does not rotate an axis at G28 that the program leaves)
 (where it is)
 (CONDITION off, or not installed [`control.functions` has them ended]: G51)
-(scaling, G68 rotation, G254 dynamic work offset, G187 smoothing, settings 85)
-(and 191)
+(scaling, G68 rotation, G268 tilted plane, G187 smoothing, settings 85 and)
+(191)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach distance 50 mm along the tool axis)
@@ -61,7 +56,6 @@ O00001 (NONAME)
 (OPERATION ARCS)
 N1 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 T1 M06
@@ -90,17 +84,14 @@ G49 G53 G00 Z0.
 (OPERATION TILTED)
 N2 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 (T1 stays in the spindle)
 S4000 M03
 G00 A-25.
-G43 H1
-G268 X0. Y0. Z0. I-25. J0. K0. Q123
-G253
+G254
 G00 X-11. Y3.717
-Z29.277
+G43 H1 Z29.277
 M08
 G01 Z-2.723 F300.
 X14. F700.
@@ -111,11 +102,10 @@ Z29.277
 M09
 G00 Z89.277
 G49 G53 G00 Z0.
-G269
+G255
 (OPERATION HOLES)
 N3 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 M05
@@ -124,11 +114,9 @@ T1
 G49 G53 G00 Z0.
 S2500 M03
 G00 A-25.
-G43 H2
-G268 X0. Y0. Z0. I-25. J0. K0. Q123
-G253
+G254
 G00 X-8. Y-6.283
-Z24.277
+G43 H2 Z24.277
 M08
 G98 G81 X-8. Y-6.283 Z-6.723 R1.277 F150.
 X4.
@@ -146,14 +134,13 @@ G80
 M09
 G00 Z84.277
 G49 G53 G00 Z0.
-G269
+G255
 M05
 M00
 G49 G53 G00 Z0.
 (OPERATION SWARF)
 N4 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 T1 M06
@@ -198,7 +185,6 @@ G49 G53 G00 Z0.
 (OPERATION THREAD)
 N5 G21 G17 G40 G49 G80 G90 G94 G54
 G255
-G269
 M09
 G53 G00 Z0.
 M05

@@ -89,6 +89,11 @@ pub(crate) fn commanded_pose<M: Machine>(
             };
             (tip, axis)
         }
+        // Haas, page of G254: along the axes of the machine, from a zero that has moved with the table.
+        Mode::Plane if state.moved_zero => {
+            let tip = on_table(machine, &words, &state.words) - on_table(machine, &Vector3::zeros(), &state.words);
+            (Point3::from(tip), axis)
+        }
         Mode::Plane => {
             let (signs, plane) = (signs(machine), orientation(control, state.plane.expect("a plane")));
             let tip = signs * plane * linear_words::<M>(&state.words);

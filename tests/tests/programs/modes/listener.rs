@@ -30,6 +30,13 @@ pub(crate) struct ProgramState {
     pub(crate) blocks: Vec<[f64; 9]>,
 }
 
+impl ProgramState {
+    /// Whether the words count in a tilted plane, or from a zero that has moved with the table.
+    fn is_in_plane(&self) -> bool {
+        self.plane.is_some() || self.moved_zero
+    }
+}
+
 pub(crate) struct Listener<M: Machine> {
     pub(crate) state: ProgramState,
     /// Line of the present CL record.
@@ -92,19 +99,20 @@ impl<M: Machine> Sink for Listener<M> {
                 self.state.blocks.push(self.state.words);
                 self.state.feeds += 1;
                 self.state.rotary_per_minute += usize::from(rotated && matches!(feed, FeedWord::PerMinute(_)));
-                assert!(self.state.plane.is_none() || !rotated, "no rotary axis moves in a tilted plane");
+                assert!(!self.state.is_in_plane() || !rotated, "no rotary axis moves in a plane");
             }
             Step::Rapid { words } => {
-                self.take(words);
+                let rotated = self.take(words);
+                assert!(!self.state.moved_zero || !rotated, "no rotary axis moves while the zero follows the table");
             }
             Step::Machine { .. }
             | Step::Retract { .. }
             | Step::Home { .. }
             | Step::Restart { .. }
             | Step::Tool { .. } => {
-                let framed = self.state.plane.is_some() || self.state.start.is_some() || self.state.moved_zero;
+                let framed = self.state.is_in_plane() || self.state.start.is_some();
                 let machine = matches!(step, Step::Machine { .. } | Step::Retract { .. });
-                assert!(!framed || machine && self.state.plane.is_some(), "{step:?} under tip control");
+                assert!(!framed || machine && self.state.is_in_plane(), "{step:?} under tip control");
             }
             Step::TipControl { on } => {
                 assert_ne!(self.state.start.is_some(), *on);
@@ -158,7 +166,7 @@ pub(crate) fn posted<M: Machine>(
     let listener = planner.sink();
     let moves = events.iter().zip(1..).filter(|(event, _)| matches!(event, Event::Motion(ToolMotion::Move(_))));
     let all = moves.map(|(_, line)| listener.state_after(line)).collect();
-    let framed = listener.state.plane.is_some() || listener.state.start.is_some();
+    let framed = listener.state.is_in_plane() || listener.state.start.is_some();
     assert!(!framed, "the program ends with the frame off");
     Ok(all)
 }

@@ -11,7 +11,7 @@ mod parts;
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::config::{Config, Mode, TcpFrame, TcpWords, ToolPosture, starting_point};
-use pp_runtime::control::{self, Control, TipControlSwitch};
+use pp_runtime::control::{self, Control, PlaneBy, TipControlSwitch};
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use pp_runtime::machine;
 use pp_runtime::program::{Event, Feed, MachineFunction, Move, NewStart, Rotation, Spindle, ToolCall, ToolMotion};
@@ -46,6 +46,7 @@ struct Variant {
     mode: Mode,
     words: TcpWords,
     frame: Option<TcpFrame>,
+    plane_by: Option<PlaneBy>,
 }
 
 /// Expected refusals of a control or a machine that does not support a variant; any other refusal is a fault.
@@ -69,11 +70,12 @@ fn moves<'e>(events: &'e [Event<'_>]) -> Vec<&'e Move> {
 
 /// Compares a variant with mode `axes`; returns the number of points compared, zero if the variant is refused.
 fn compare_variant<M: Machine>(variant: Variant, seed: u64) -> usize {
-    let Variant { control, mode, words, frame } = variant;
+    let Variant { control, mode, words, frame, plane_by } = variant;
     let name = control.spellings().name;
     let (mut random, mut same) = (Random::new(seed), Random::new(seed));
     let mut config = set_up(mode, frame, control, &mut random);
     config.motion.tip.tcp_words = words;
+    config.control.plane_by = plane_by;
     let axes = set_up(Mode::Axes, None, control, &mut same);
     let mut machine = config.set_up.machine::<M>().expect("valid");
     let events = events(&machine, &mut random, mode == Mode::Plane);
@@ -124,12 +126,18 @@ fn angles<M: Machine>(state: &ProgramState) -> Vec<f64> {
 /// Compares every control in every mode and frame; returns the number of points compared.
 fn compare<M: Machine>(seed: u64) -> usize {
     let frames = [None, Some(TcpFrame::TableAtZero), Some(TcpFrame::TableAtStart), Some(TcpFrame::NotTurning)];
-    let modes = [(Mode::Tcp, TcpWords::Angles), (Mode::Tcp, TcpWords::Vectors), (Mode::Plane, TcpWords::Angles)];
+    let modes = [
+        (Mode::Tcp, TcpWords::Angles, None),
+        (Mode::Tcp, TcpWords::Vectors, None),
+        (Mode::Plane, TcpWords::Angles, None),
+        (Mode::Plane, TcpWords::Angles, Some(PlaneBy::TiltedPlane)),
+    ];
     let mut compared = 0;
     for &control in control::CONTROLS {
-        for (mode, words) in modes {
+        for (mode, words, plane_by) in modes {
             for (round, frame) in frames.into_iter().enumerate() {
-                compared += compare_variant::<M>(Variant { control, mode, words, frame }, seed + round as u64);
+                compared +=
+                    compare_variant::<M>(Variant { control, mode, words, frame, plane_by }, seed + round as u64);
             }
         }
     }

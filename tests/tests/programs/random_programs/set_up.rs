@@ -131,6 +131,9 @@ pub(crate) fn set_up(
     let frames = if nx { file.frames(kind) } else { Frames::None };
     let code = file.maybe(0.2, "cl", "auxfun = [77]");
     file.operation_blocks(blocks);
+    if control == "haas" && blocks.chance(0.3) {
+        file.put("control", "plane_by = \"tilted_plane\"");
+    }
     file.put("control", "effects = { M77 = \"none\", M78 = \"none\", M79 = \"none\" }");
     let centre = file.maybe(0.1, "", "cl_point = \"centre\"");
     let (axis_range, table) = (kind.axis_range, kind.table);

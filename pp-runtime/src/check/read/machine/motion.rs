@@ -24,7 +24,7 @@ impl Interpreter {
         let call = motion.call || self.motion.each_point.is_some() && motion.axes.written != 0;
         let is_cycle = code == Code::Cycle;
         self.place(&motion.axes, is_cycle, &mut block.faults);
-        self.left_plane(rotary, from);
+        self.left_plane(rotary, from, &mut block.faults);
         if !is_cycle && self.motion.canned.is_none() {
             self.motion.rigid = false;
         }
@@ -71,12 +71,17 @@ impl Interpreter {
         }
     }
 
-    /// Rotary words that have moved their axes take them out of the tilted plane.
-    fn left_plane(&mut self, rotary: u16, (from, known): ([f64; MAX_AXES], u16)) {
-        let Some(tilt) = &mut self.state.tilt else { return };
+    /// Rotary words that have moved their axes take them out of the tilted plane, and its zero from under the table.
+    fn left_plane(&mut self, rotary: u16, (from, known): ([f64; MAX_AXES], u16), faults: &mut Vec<Fault>) {
         let moved =
             |index: usize| known & (1 << index) == 0 || (self.values[index] - from[index]).abs() > SAME_ROTARY_WORD;
-        if set_bits(rotary).any(moved) {
+        if self.state.tilt.is_none() && !self.state.dynamic_offset || !set_bits(rotary).any(moved) {
+            return;
+        }
+        if self.state.dynamic_offset {
+            fault(faults, 0, "a rotary axis moves while the dynamic work offset is active");
+        }
+        if let Some(tilt) = &mut self.state.tilt {
             tilt.oriented = false;
         }
     }

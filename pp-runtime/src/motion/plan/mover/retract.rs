@@ -47,6 +47,7 @@ impl<S: Sink> Mover<'_, S> {
         let words = self.placer.retract_words(self.policy.options.retract.position_mm())?;
         let off = match (self.placer.mode(), self.abilities.plane) {
             _ if !self.position.is_in_frame() => None,
+            (StretchMode::Plane, _) if self.moves_zero() => Some((Step::DynamicOffset { on: false }, true)),
             (StretchMode::Plane, Some(plane)) => Some((Step::PlaneOff, plane.ends_after_retract)),
             (StretchMode::Plane, None) | (StretchMode::Tcp | StretchMode::Axes, _) => {
                 Some((Step::TipControl { on: false }, false))
@@ -67,8 +68,13 @@ impl<S: Sink> Mover<'_, S> {
     /// with the rotary axes at zero. The frame may depend on the rotary angles of the place. Moves nothing.
     pub(crate) fn framed_at(&mut self, place: AxisPosition) -> Result<(AxisPosition, Option<Step<'static>>), Fault> {
         match (self.placer.mode(), self.abilities.plane) {
-            (StretchMode::Axes, _) | (StretchMode::Plane, None) => Ok((place, None)),
+            (StretchMode::Axes, _) => Ok((place, None)),
             (StretchMode::Tcp, _) => Ok((self.placer.in_tip_frame(place)?, Some(Step::TipControl { on: true }))),
+            (StretchMode::Plane, _) if self.moves_zero() => {
+                let place = self.placer.in_moved_zero(place)?;
+                let step = (!self.placer.is_plain(&place)).then_some(Step::DynamicOffset { on: true });
+                Ok((place, step))
+            }
             (StretchMode::Plane, Some(ability)) => {
                 let (place, tilt) = self.placer.tilted(place, &ability)?;
                 if tilt.is_plain() && self.placer.is_plain(&place) {
@@ -77,7 +83,13 @@ impl<S: Sink> Mover<'_, S> {
                 let pose = self.placer.pose_of_plane(&place, ability.pose);
                 Ok((place, Some(Step::Plane { angles: tilt.words, pose })))
             }
+            (StretchMode::Plane, None) => Ok((place, None)),
         }
+    }
+
+    /// Whether the zero of the words moves with the table where the mode is "plane".
+    pub(crate) fn moves_zero(&self) -> bool {
+        self.abilities.moves_zero_in_planes(self.placer.chain())
     }
 
     /// Counts an approach for the clamps.
@@ -95,7 +107,8 @@ impl<S: Sink> Mover<'_, S> {
             StretchMode::Axes | StretchMode::Plane => None,
         };
         let by_plane = entry.is_some_and(|entry| entry.is_in_plane());
-        let plane = self.placer.mode() == StretchMode::Plane || by_plane;
+        // Under a zero that follows the table only words rotate an axis.
+        let plane = self.placer.mode() == StretchMode::Plane && !self.moves_zero() || by_plane;
         self.home_before_rotation(above, false)?;
         // Where an axis is elsewhere than known, its word in the block rotates it.
         let all = plane || !self.position.knows_rotary_axes();
