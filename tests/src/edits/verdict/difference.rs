@@ -8,6 +8,9 @@ use crate::foreign::trace::{Arc, Hole};
 use crate::foreign::{Effect, Feed};
 use Difference::{Hard, Soft};
 
+/// Largest change of the tool axis in a rotation about it, near the pole: the control may choose such rotations.
+const NEARLY: f64 = 1e-3;
+
 /// Sine of the angle from the pole within which a control may rotate an axis by much for a small change of the tool axis.
 const NEAR_POLE: f64 = 0.05;
 
@@ -403,10 +406,24 @@ pub(super) fn is_turned_already(event: &Event<'_>, allowed: Allowed) -> bool {
     })
 }
 
+/// Whether only rotary axes rotate under tip control, and the tool axis is nearly where it was.
+pub(super) fn rotates_freely(event: &Event<'_>, allowed: Allowed) -> bool {
+    let axes = [event.before, &event.block.state].map(|state| allowed.tool_axis.and_then(|axis| axis(&state.position)));
+    let [from, to] = [&event.before.position, &event.block.state.position];
+    event.before.under_tip_control()
+        && !event.block.words.is_empty()
+        && event.block.words.letters().all(|letter| is_rotary(letter) || from.get(letter) == to.get(letter))
+        && is_about(axes, NEARLY)
+}
+
 /// Whether two unit vectors are known and equal, as far as rounded words show.
 pub(super) fn is_near(vectors: [Option<[f64; 3]>; 2]) -> bool {
+    is_about(vectors, 1e-4)
+}
+
+fn is_about(vectors: [Option<[f64; 3]>; 2], largest: f64) -> bool {
     let [Some(one), Some(other)] = vectors else { return false };
-    one.iter().zip(&other).all(|(one, other)| (one - other).abs() < 1e-4)
+    one.iter().zip(&other).all(|(one, other)| (one - other).abs() < largest)
 }
 
 /// A tool change leaves no length offset.
@@ -496,11 +513,12 @@ fn rotates_at_pole(event: &Event<'_>, allowed: Allowed) -> bool {
     let (from, to) = (&event.before.position, &event.block.state.position);
     let stays = |letter: char| from.get(letter) == to.get(letter);
     let upright = |letter: char| to.get(letter).is_none_or(|angle| angle.abs() < 1e-9);
-    event.block.state.under_tip_control()
+    let about_tool = event.block.state.under_tip_control()
         && allowed.tool_axis.is_none()
         && !stays('C')
         && stays('Z')
-        && ['A', 'B'].into_iter().all(|letter| stays(letter) && upright(letter))
+        && ['A', 'B'].into_iter().all(|letter| stays(letter) && upright(letter));
+    about_tool || rotates_freely(event, allowed)
 }
 
 /// Numbers of smoothing, all zero where it is off: Q0 of G5.1, a tolerance or a kind of 0.

@@ -1,7 +1,7 @@
 //! Traces that differ in one place, and nearly do the same.
 
 use super::difference::Difference::Hard;
-use super::difference::{difference, is_near, is_short, is_turned_already, state_difference};
+use super::difference::{difference, is_near, is_short, is_turned_already, rotates_freely, state_difference};
 use super::{Allowed, Event, Verdict};
 use crate::foreign::axes::{Axes, is_rotary};
 use crate::foreign::state::State;
@@ -156,15 +156,21 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
         }
     }
     if all_agree(&needed(was, index, allowed), &needed(is, index, allowed)) {
-        return undecided("rapids on one line, and motions within tolerance");
+        return undecided("rapids on one line, rotations at the pole and motions within tolerance");
     }
     None
 }
 
-/// Events from just before an index on, without rapids that end on the line of the next one, and motions within tolerance.
+/// Events from just before an index on, without rapids that end on the line of the next one or over the next hole, rotations at the
+/// pole, and motions within tolerance.
 fn needed<'a>(events: &[Event<'a>], index: usize, allowed: Allowed) -> Vec<Event<'a>> {
     let on_line = |at: usize| events[at].block.effect == Effect::Rapid && on_the_line(events, at, allowed);
-    let is_needed = |&at: &usize| !is_short(&events[at], allowed) && !on_line(at);
+    let is_needed = |&at: &usize| {
+        !is_short(&events[at], allowed)
+            && !on_line(at)
+            && !is_over_next_hole(events, at, allowed)
+            && !rotates_freely(&events[at], allowed)
+    };
     (index.saturating_sub(1)..events.len()).filter(is_needed).map(|at| events[at]).collect()
 }
 
@@ -251,16 +257,6 @@ fn is_rotated_before(events: &[Event<'_>], index: usize) -> bool {
     rapid(event) && before.block.effect == Effect::Machine && next.is_some_and(again)
 }
 
-/// Whether only rotary axes rotate under tip control, and the tool axis is where it was.
-fn rotates_freely(event: &Event<'_>, allowed: Allowed) -> bool {
-    let axes = [event.before, &event.block.state].map(|state| allowed.tool_axis.and_then(|axis| axis(&state.position)));
-    let [from, to] = [&event.before.position, &event.block.state.position];
-    event.before.under_tip_control()
-        && !event.block.words.is_empty()
-        && event.block.words.letters().all(|letter| is_rotary(letter) || from.get(letter) == to.get(letter))
-        && is_near(axes)
-}
-
 /// Whether an arc is two arcs about the same centre.
 fn is_arc_in_parts(whole: &Event<'_>, parts: &[Event<'_>], allowed: Allowed) -> bool {
     let (Effect::Arc(arc), Effect::Arc(first), Effect::Arc(second)) =
@@ -327,7 +323,7 @@ fn is_turned_before_tip_control(was: &[Event<'_>], is: &[Event<'_>], index: usiz
 fn is_parked_in_another_order(was: &[Event<'_>], is: &[Event<'_>], index: usize) -> Option<usize> {
     let rapid = |event: &&Event<'_>| matches!(event.block.effect, Effect::Rapid | Effect::Machine);
     let cut = |event: &&Event<'_>| event.block.effect.cuts();
-    let stop = |event: &&Event<'_>| matches!(event.block.effect, Effect::ToolChange(_));
+    let stop = |event: &&Event<'_>| matches!(event.block.effect, Effect::ToolChange(_)) || event.block.effect.stops();
     let parks =
         |events: &[Event<'_>]| !events[index.min(events.len())..].iter().take_while(|e| !stop(e)).any(|e| cut(&e));
     if !parks(was) || !parks(is) {

@@ -57,6 +57,9 @@ pub(super) fn command(tokens: &[Token], _: &State) -> Result<Command, String> {
             if (has(Address::Radius), has(Address::PolarAngle)) != (name(0) == "CR", name(0) == "CP") {
                 return Err("an arc with the words of another kind of arc".to_owned());
             }
+            if name(0) == "CP" && ['X', 'Y'].into_iter().any(|letter| has(Address::Axis(letter))) {
+                return Err("an end of the arc beside its angle".to_owned());
+            }
         }
         ("TOOL", "DEF") => match &tokens[2..] {
             [Token::Number(number)] => {

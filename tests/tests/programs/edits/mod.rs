@@ -192,7 +192,7 @@ fn is_message(edit: &Edit) -> bool {
 /// Whether an edit concerns texts that the control displays: they are those of PPRINT.
 fn is_displayed(edit: &Edit) -> bool {
     let displays = |text: &str| text.contains("(MSG,") || text.contains("MSG(");
-    is_message(edit) && (displays(&edit.before) || displays(&edit.after))
+    displays(&edit.before) || displays(&edit.after)
 }
 
 /// Whether an edit adds, moves or removes codes of the shop alone that are declared to have no effect.
