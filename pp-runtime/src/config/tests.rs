@@ -263,6 +263,8 @@ fn modes_frames_and_postures_are_read() {
     assert_eq!(config.control.swivel_data.as_deref(), Some("TABLE"));
     assert_eq!(faults("mode = 'tpc'\n").len(), 1);
     assert_eq!(faults("[control]\ntip_control = ['M428']\n").len(), 1);
+    let always = faults("[control]\ntip_control = 'always'\n");
+    assert!(always[0].contains("no block retracts them"), "{always:?}");
 }
 
 #[test]

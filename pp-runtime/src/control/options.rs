@@ -528,6 +528,15 @@ impl KeyKind for TipControlKey {
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<TipControlSwitch> {
         match value.get_ref().as_str() {
             Some("none") => Some(TipControlSwitch::None),
+            Some("always") => {
+                r.fault(
+                    value.span(),
+                    "in kinematics that are always in tip control G53 and G28 lead the tip, not the axes of the machine: no block \
+                     retracts them",
+                    Some("load kinematics that codes switch (LinuxCNC 2.9), and give the codes, or trivial kinematics with \"none\"".to_owned()),
+                );
+                None
+            }
             Some(_) => {
                 r.fault(value.span(), "expected two codes, [on, off], or \"none\"", None);
                 None
