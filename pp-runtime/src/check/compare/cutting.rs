@@ -790,6 +790,10 @@ impl Comparison<'_> {
         self.pass_needless_from(cutting.here.as_ref())?;
         let Some((rest, out)) = self.rest_of_retract(cutting, &here, end) else { return Ok(None) };
         self.missing_dwells(current, false);
+        // By whole revolutions the tool axis is the same at both ends, and nowhere between.
+        if self.rules.moved(&self.previous.words, self.previous.known, current.block) != 0 {
+            self.found(current, "rotary axes rotate in this retract along the tool axis");
+        }
         // The machine retract that follows each restart point has not come.
         let after_restart = self.duties.owes(Duty::Retract) && !self.duties.owes(Duty::RetractAfterShopLine);
         if after_restart && !self.duties.owes(Duty::CompleteState) {

@@ -182,10 +182,13 @@ impl Comparison<'_> {
             self.progress.next()
             && (expected - seconds).abs() <= ROUNDED_DWELL
         {
-            let waits = spindle.is_some_and(|_| !self.rules.spindle_is(&current.block.state, *spindle));
             let waits_with = *spindle;
-            let spindles = std::iter::once(required.spindle).chain(self.progress.requested_spindle());
-            let runs = spindles.into_iter().any(|spindle| self.rules.spindle_is(&current.block.state, spindle));
+            let requested = || self.progress.requested_spindle().unwrap_or(required.spindle);
+            let wrong = match waits_with {
+                None if !matches!(phase, Phase::Cutting(_)) => false,
+                None => !self.rules.spindle_is(&current.block.state, requested()),
+                Some(_) => !self.rules.spindle_is(&current.block.state, waits_with),
+            };
             self.compare_tool(current);
             self.come_to(DutyPlace::Wait, Some(phase), current);
             self.progress.take();
@@ -194,7 +197,7 @@ impl Comparison<'_> {
                 self.functions.wait_with(waits_with);
             }
             let dry = self.rules.policy().links.dry_lift_mm.is_some();
-            if !dry && (waits || matches!(phase, Phase::Cutting(_)) && !runs) {
+            if !dry && wrong {
                 self.found(current, "dwell with the spindle off, or at another speed or sense than in the CL data");
             }
             return Ok(());

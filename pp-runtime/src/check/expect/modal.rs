@@ -623,7 +623,10 @@ impl<'a> ClState<'a> {
         operation.starts = false;
         operation.called = false;
         operation.changed = false;
-        self.require().operation = self.operation.number;
+        let number = self.operation.number;
+        let required = self.require();
+        required.operation = number;
+        required.requested_spindle = None;
         self.take_rules(first_motion);
     }
 

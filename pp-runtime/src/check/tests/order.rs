@@ -452,3 +452,60 @@ fn a_retract_after_the_next_restart_point_is_found() {
     let text = "comes after the restart point of the next operation";
     assert!(found.iter().any(|found| found.contains(text)), "{found:?}\n{late}");
 }
+
+/// SPINDL acts before the DELAY after it.
+#[test]
+fn a_speed_that_comes_after_its_dwell_is_found() {
+    let data =
+        TWO_OPERATIONS.replacen("GOTO/20,0,0\n", "GOTO/20,0,0\nSPINDL/RPM,900,CCLW\nDELAY/1.5\nGOTO/25,0,0\n", 1);
+    let set_up = "retract.distance = 20\n";
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, set_up, &data);
+    let late = program.replace("S900 M4\nG4 P1500\n", "G4 P1500\nS900 M4\n");
+    assert_ne!(late, program);
+    assert_told::<Mill>("fanuc", Mode::Axes, set_up, &data, &late);
+}
+
+const TILTED: &str = "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/1000,CLW\nRAPID\nGOTO/0,0,50,0,-0.5,0.8660254\nFEDRAT/300,MMPM\n\
+                      GOTO/0,0,10\nGOTO/10,0,10,0,-0.6,0.8\n";
+
+/// After a whole revolution the tool axis is the same, and nowhere between.
+#[test]
+fn a_retract_in_which_an_axis_rotates_is_found() {
+    let set_up = "retract.distance = 20\n";
+    for control in ["linuxcnc", "fanuc", "siemens"] {
+        let program = posted_right::<OneTable>(control, Mode::Axes, set_up, TILTED);
+        let lines: Vec<&str> = program.lines().collect();
+        let retract = lines.iter().rposition(|line| line.starts_with("G0 Z")).expect("the retract");
+        let cut = lines[..retract].iter().rev().find_map(|line| line.split(' ').find(|word| word.starts_with('A')));
+        let angle: f64 = cut.expect("A in the cut")[1..].parse().expect("a number");
+        let rotating = format!("{} A{}", lines[retract], angle + 360.0);
+        let found = again::<OneTable>(control, Mode::Axes, set_up, TILTED, &program.replace(lines[retract], &rotating));
+        assert!(found.iter().any(|text| text.contains("rotary axes rotate in this retract")), "{found:?}\n{rotating}");
+    }
+}
+
+#[test]
+fn parking_before_the_lines_that_end_the_operation_is_found() {
+    let set_up = "retract.distance = 20\npark = { A = 0.0 }\nprogram.operation_end = [\"M78\"]\n\
+                  control.effects = { M78 = \"none\" }\n";
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, set_up, TILTED);
+    let late = program.replace("M78\n", "").replace("G0 A0.\nM30", "G0 A0.\nM78\nM30");
+    assert_eq!(late.len(), program.len());
+    assert_told::<OneTable>("fanuc", Mode::Axes, set_up, TILTED, &late);
+}
+
+#[test]
+fn a_plane_that_ends_before_its_motion_is_found() {
+    let set_up = "retract.distance = 20\n";
+    let program = posted_right::<OneTable>("heidenhain", Mode::Tcp, set_up, TILTED);
+    let lines: Vec<&str> = program.lines().collect();
+    let call = lines.iter().rposition(|line| line.contains("PLANE SPATIAL")).expect("a plane call");
+    let off = call + lines[call..].iter().position(|line| line.contains("PLANE RESET")).expect("its end");
+    let text = |line: &str| line.split_once(' ').map_or("", |(_, text)| text).to_owned();
+    let number = |line: &str| line.split(' ').next().unwrap_or_default().to_owned();
+    let (motion, reset) = (lines[off - 1], lines[off]);
+    let swapped = format!("{} {}\n{} {}\n", number(motion), text(reset), number(reset), text(motion));
+    let edited = program.replace(&format!("{motion}\n{reset}\n"), &swapped);
+    let found = again::<OneTable>("heidenhain", Mode::Tcp, set_up, TILTED, &edited);
+    assert!(found.iter().any(|text| text.contains("ends before a motion in it")), "{found:?}\n{edited}");
+}

@@ -367,7 +367,7 @@ fn is_free(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> bool {
         if to.vector.is_some() && !still { None } else { tool_axis(&middle, allowed) }
     };
     let ends = [was, is].map(|event| tool_axis(&event.block.state, allowed));
-    tips(was) && tips(is) && is_near(ends) && is_near([was, is].map(middle))
+    tips(was) && tips(is) && is_about(ends, NEARLY) && is_about([was, is].map(middle), NEARLY)
 }
 
 /// Tool axis on the workpiece: the vector, or that of the rotary axes.
@@ -443,7 +443,11 @@ pub(super) fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed
     // With every rotary axis at zero the words mean the same.
     let zero = |event: &Event<'_>| {
         let places = [&event.before.position, &event.block.state.position];
-        let still = |place: &Axes| place.iter().all(|(letter, value)| !is_rotary(letter) || value.abs() < 1e-9);
+        let still = |place: &Axes| {
+            place
+                .iter()
+                .all(|(letter, value)| !is_rotary(letter) || (value / 360.0 - (value / 360.0).round()).abs() < 1e-9)
+        };
         places.into_iter().all(still)
     };
     let upright = was.block.effect == Effect::Rapid && zero(was) && zero(is);

@@ -102,10 +102,10 @@ fn is_later(action: &Event<'_>, next: &Event<'_>) -> bool {
     // A guard that names its register compares the same before the tool change.
     let guards = matches!(next.block.effect, Effect::Guard { .. }) && next.block.state.guarded.is_some();
     let again = matches!(action.block.effect, Effect::ToolChange(tool) if action.before.tool == Some(tool));
-    // At the retract a rotary axis may rotate before a code that switches nothing that is known here.
+    // At the retract a rotary axis may rotate before a stop, or a code that switches nothing that is known here.
     let rotates = action.block.effect == Effect::Rapid && action.block.words.letters().all(is_rotary);
     matches!(action.block.effect, Effect::Machine | Effect::Dwell(_))
-        || rotates && matches!(next.block.effect, Effect::Shop(_))
+        || rotates && (next.block.effect.stops() || matches!(next.block.effect, Effect::Shop(_)))
         || matches!(action.block.effect, Effect::Guard { .. } | Effect::OffsetGuard)
             && matches!(next.block.effect, Effect::Shop(_))
         || again && matches!(next.block.effect, Effect::Shop(_))

@@ -247,6 +247,7 @@ fn judged(posted: &Posted, edit: &Edit, order: bool, tally: &mut Tally) -> Optio
         || matches!(verdict, Verdict::Refused(_)) && (is_message(edit) || is_another_mode(edit))
         || matches!(verdict, Verdict::Harmful(_)) && !order && is_without_effect(edit)
         || is_supply_off_with_motion(&verdict, edit)
+        || subject.options.rapids_at_feed && matches!(&verdict, Verdict::Harmful(why) if why.ends_with("became feed"))
         || order && is_another_way(&verdict, edit)
         || verdict == Verdict::Harmless && is_offset_after_plane(edit)
         || verdict == Verdict::Harmless && is_another_restart(posted, edit, &edited)
