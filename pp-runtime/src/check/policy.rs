@@ -113,7 +113,7 @@ pub enum LinearMeaning {
     AxisPositions,
     /// Coordinates of the tip, under tip control.
     TipCoordinates,
-    /// Coordinates of the tip in a tilted plane.
+    /// Coordinates of the tip in a tilted plane, or from a zero that follows the table.
     PlaneCoordinates,
 }
 
@@ -122,7 +122,7 @@ impl LinearMeaning {
         match self {
             Self::AxisPositions => "axis positions",
             Self::TipCoordinates => "tip coordinates under tip control",
-            Self::PlaneCoordinates => "coordinates in a tilted plane",
+            Self::PlaneCoordinates => "coordinates in a plane",
         }
     }
 }

@@ -37,8 +37,7 @@ pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'
         && rotaries_of(machine.axes(), Side::Tool).next().is_some()
     {
         faults.push(
-            "`control.plane_by = \"dynamic_offset\"`: a rotary axis is in the head, which a zero that follows the table does not \
-             know: leave the key out"
+            "`control.plane_by = \"dynamic_offset\"`: G254 does not allow for a rotary axis in the head: leave the key out"
                 .to_owned(),
         );
     }
@@ -150,10 +149,12 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
             ));
         }
     }
-    if options.plane_by == Some(PlaneBy::DynamicOffset)
-        && let Err(reason) = plane_by_moved_zero(codes, demands)
-    {
-        faults.push(format!("`control.plane_by = \"dynamic_offset\"`: {reason}"));
+    if options.plane_by == Some(PlaneBy::TiltedPlane) && !options.has(ControlFunction::Planes) {
+        faults.push("`control.plane_by = \"tilted_plane\"`: \"planes\" is not among `control.functions`".to_owned());
+    }
+    if options.plane_by == Some(PlaneBy::DynamicOffset) {
+        let reason = no_moved_zero(codes, demands);
+        faults.extend(reason.map(|reason| format!("`control.plane_by = \"dynamic_offset\"`: {reason}")));
     }
     faults.extend(unsupported_retract(codes, options.retract_method.as_ref()));
     faults.extend(control.effects().iter().filter_map(|(text, effect)| effect.refusal(text)));
@@ -275,9 +276,7 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
     let start = |tip: &TipControlCodes| match tip.with_length {
         _ if configured => TipStart::Configured,
         None => TipStart::Alone,
-        Some(_) => TipStart::WithMotion {
-            dynamic_offset: tip.dynamic_offset.is_some() && demands.options.has(ControlFunction::DynamicOffset),
-        },
+        Some(_) => TipStart::WithMotion { dynamic_offset: no_moved_zero(control.spellings(), demands).is_none() },
     };
     let own = control.spellings().tip.as_ref().map(|tip| TipAbility {
         start: start(tip),
@@ -296,21 +295,18 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
     own.or_else(|| configured.then_some(plain))
 }
 
-/// Whether mode "plane" is a zero of the words that follows the table; the reason where it cannot be.
-fn plane_by_moved_zero(codes: &Spellings, demands: Demands<'_>) -> Result<(), String> {
-    let Some([code, _]) = codes.tip.as_ref().and_then(|tip| tip.dynamic_offset) else { return Err(String::new()) };
-    if demands.options.plane_by == Some(PlaneBy::TiltedPlane) {
-        return Err(String::new());
-    }
+/// Why the zero of the words cannot follow the table in mode "plane".
+fn no_moved_zero(codes: &Spellings, demands: Demands<'_>) -> Option<String> {
+    let Some([code, _]) = codes.tip.as_ref().and_then(|tip| tip.dynamic_offset) else {
+        return Some(format!("{} has no dynamic work offset", codes.title));
+    };
     if !demands.options.has(ControlFunction::DynamicOffset) {
-        return Err(format!("{code} is not among `control.functions`: add \"dynamic_offset\" if the control has it"));
+        return Some(format!("{code} is not among `control.functions`: add \"dynamic_offset\" if the control has it"));
     }
-    match demands.set_up.rotary_offset.iter().find(|(_, offset)| **offset != 0.0) {
-        Some((letter, _)) => Err(format!(
-            "{code} needs 0 for the rotary axes in the work offset, and `rotary_offset.{letter}` is another value"
-        )),
-        None => Ok(()),
-    }
+    let (letter, _) = demands.set_up.rotary_offset.iter().find(|(_, offset)| **offset != 0.0)?;
+    Some(format!(
+        "{code} needs 0 for the rotary axes in the work offset, and `rotary_offset.{letter}` is another value"
+    ))
 }
 
 /// A renamed rotary axis whose position the guard of planes cannot read.
@@ -428,7 +424,8 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
                 length_first: plane.length_first,
             }
         }),
-        plane_by_moved_zero: plane_by_moved_zero(codes, demands).is_ok(),
+        plane_by_moved_zero: demands.options.plane_by != Some(PlaneBy::TiltedPlane)
+            && no_moved_zero(codes, demands).is_none(),
         retracts_along_tool: matches!(demands.options.retract_form(codes), Some(RetractForm::AlongTool { .. })),
         retract_keeps_length: codes.length.call == LengthCall::WithZ
             && matches!(demands.options.retract_form(codes), Some(RetractForm::ReferencePosition { .. })),

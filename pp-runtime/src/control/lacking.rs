@@ -62,10 +62,8 @@ pub fn take_out_lacking(
         options.swivel_data = None;
     }
     let dynamic_offset = codes.tip.as_ref().is_some_and(|tip| tip.dynamic_offset.is_some());
-    if add(
-        options.plane_by.is_some() && !dynamic_offset,
-        "has one frame for mode plane: `control.plane_by` is left out",
-    ) {
+    if add(options.plane_by.is_some() && !dynamic_offset, "has no dynamic work offset: `control.plane_by` is left out")
+    {
         options.plane_by = None;
     }
     let inverse = matches!(options.path_norm, Some(PathNorm::G93Minutes | PathNorm::G93Seconds));

@@ -27,12 +27,8 @@ pub struct Layout {
     pub name: Vec<u8>,
     /// Axes that the control moves to every angle by the shortest path.
     pub shortest_axes: Vec<char>,
-    /// Stretches of the program are under tip control.
-    pub tip_control: bool,
-    /// The program has tilted planes: for stretches, or where tip control begins.
-    pub planes: bool,
-    /// The program has a dynamic work offset: in mode "plane", or where tip control begins.
-    pub dynamic_offset: bool,
+    /// Frames of the control that the program uses.
+    pub frames: FramesUsed,
     /// Motion of the tool axis under tip control.
     pub posture: ToolPosture,
     /// Under tip control blocks hold the tool axis as a vector instead of rotary words.
@@ -53,6 +49,32 @@ pub struct Layout {
     pub program: ProgramBlocks,
 }
 
+/// Frames of the control that a program uses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct FramesUsed {
+    /// Stretches of the program are under tip control.
+    pub tip_control: bool,
+    /// It has tilted planes: for stretches, or where tip control begins.
+    pub planes: bool,
+    /// It has a dynamic work offset: in mode "plane", or where tip control begins.
+    pub dynamic_offset: bool,
+}
+
+impl FramesUsed {
+    pub(crate) fn of(machine: &dyn AnyMachine, abilities: &Abilities, modes: &StretchModes) -> Self {
+        let table = rotaries_of(machine.axes(), Side::Workpiece).next().is_some();
+        let start = abilities.tip.filter(|_| table && modes.has(StretchMode::Tcp)).map(|tip| tip.start);
+        let tilts = modes.has(StretchMode::Plane) && !abilities.moves_zero_in_planes(machine.axes());
+        let enters_by_plane = abilities.plane.is_some() && start.is_some_and(TipStart::is_over_tilted_table);
+        Self {
+            tip_control: modes.has(StretchMode::Tcp),
+            planes: tilts || enters_by_plane,
+            dynamic_offset: start == Some(TipStart::WithMotion { dynamic_offset: true })
+                || modes.has(StretchMode::Plane) && !tilts,
+        }
+    }
+}
+
 impl Layout {
     /// The layout of a job for a machine; `abilities`: those of its control, `modes`: of the stretches of its program.
     #[must_use]
@@ -65,12 +87,7 @@ impl Layout {
         name: &[u8],
     ) -> Self {
         let linear = demands.formats.linear(units);
-        let table = rotaries_of(machine.axes(), Side::Workpiece).next().is_some();
-        let start = abilities.tip.filter(|_| table && modes.has(StretchMode::Tcp)).map(|tip| tip.start);
-        let tilts = modes.has(StretchMode::Plane) && !abilities.moves_zero_in_planes(machine.axes());
-        let dynamic_offset =
-            start == Some(TipStart::WithMotion { dynamic_offset: true }) || modes.has(StretchMode::Plane) && !tilts;
-        let enters_by_plane = abilities.plane.is_some() && start.is_some_and(TipStart::is_over_tilted_table);
+        let frames = FramesUsed::of(machine, abilities, modes);
         let decimals = |kind: AxisKind| if kind == AxisKind::Linear { linear } else { demands.formats.rotary };
         Self {
             axes: machine.axes().iter().map(|axis| (axis.letter, decimals(axis.kind))).collect(),
@@ -80,9 +97,7 @@ impl Layout {
             path_tolerance: demands.options.path_tolerance_mm / units.in_mm(),
             name: name.to_vec(),
             shortest_axes: wrapped(demands).collect(),
-            tip_control: modes.has(StretchMode::Tcp),
-            planes: tilts || enters_by_plane,
-            dynamic_offset,
+            frames,
             posture: demands.motion.tip.tool_posture,
             vectors: demands.motion.tip.tcp_words == TcpWords::Vectors,
             rigid: demands.motion.cycles.rigid,

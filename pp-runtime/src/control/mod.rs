@@ -44,7 +44,7 @@ pub(crate) use encode::comments;
 pub use fit::{abilities, unfit, usable_modes};
 pub(crate) use foreign::of_another_control;
 pub use lacking::take_out_lacking;
-pub use layout::Layout;
+pub use layout::{FramesUsed, Layout};
 pub use options::{
     BlockNumbers, ControlFunction, ControlOptions, Demands, LineEffect, Messages, PlaneBy, ProgramBlocks,
     ProgramHeader, RetractMethod, TipControlSwitch,

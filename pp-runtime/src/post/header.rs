@@ -267,14 +267,9 @@ pub(crate) fn conditions(
     let rotary = machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held);
     let native = config.motion.cycles.output == CycleOutput::Native && config.motion.lift_mm.is_none();
     let abilities = control::abilities(control, config.demands());
-    let moves_zero = abilities.moves_zero_in_planes(machine.axes());
-    let enters_by_moved_zero = survey.modes.has(StretchMode::Tcp)
-        && abilities.tip.is_some_and(|tip| tip.start == TipStart::WithMotion { dynamic_offset: true });
     let uses = ProgramUses {
         rotary,
-        tip_control: survey.modes.has(StretchMode::Tcp),
-        planes: survey.modes.has(StretchMode::Plane) && !moves_zero,
-        dynamic_offset: survey.modes.has(StretchMode::Plane) && moves_zero || enters_by_moved_zero,
+        frames: control::FramesUsed::of(machine, &abilities, &survey.modes),
         compensation: config.motion.compensation.is_some(),
         cycles: native && survey.holes,
         offset_guard: abilities.guards_offset,

@@ -85,7 +85,7 @@ fn a_frame_that_the_control_cannot_have_is_refused() {
         assert!(refused.contains(reason), "{keys}: {refused}");
     }
     let refused = config::<HeadTable>("control.plane_by = \"dynamic_offset\"\n").expect_err("a head");
-    assert!(refused.contains("a rotary axis is in the head"), "{refused}");
+    assert!(refused.contains("does not allow for a rotary axis in the head"), "{refused}");
 }
 
 #[test]
@@ -100,23 +100,37 @@ fn it_is_in_force_for_its_operation_alone() {
     assert_eq!(blocks[end - 1], "G49 G53 G00 Z0.", "{program}");
     let config = config::<SpinnerU5620>("").expect("it suits");
     let (rotary, off) = (blocks[at - 1], blocks[end - 1]);
-    for (was, is) in [
+    let across = blocks[at + 1];
+    let in_rotation = "a rotary axis moves while the dynamic work offset is active";
+    for (was, is, text) in [
         // It begins before the rotation, after X and Y, or not at all.
-        (format!("{rotary}\nG254\n"), format!("G254\n{rotary}\n")),
-        (format!("G254\n{}\n", blocks[at + 1]), format!("{}\nG254\n", blocks[at + 1])),
-        ("G254\n".to_owned(), String::new()),
-        // It ends at the part.
-        (format!("{off}\nG255\n"), format!("G255\n{off}\n")),
+        (format!("{rotary}\nG254\n"), format!("G254\n{rotary}\n"), in_rotation),
+        (format!("G254\n{across}\n"), format!("{across}\nG254\n"), "no plane is active"),
+        ("G254\n".to_owned(), String::new(), "no plane is active"),
+        // It ends at the part, or before a motion in it.
+        (format!("{off}\nG255\n"), format!("G255\n{off}\n"), "is switched off before the machine has retracted"),
+        ("G254\n".to_owned(), "G254\nG255\nG254\n".to_owned(), "ends before a motion in it"),
         // An axis rotates while it is on.
-        ("G254\n".to_owned(), "G254\nG00 C90.\n".to_owned()),
-        ("G254\n".to_owned(), "G254\nG53 G00 C0.\n".to_owned()),
-        (format!("{off}\nG255\n"), format!("{off}\nG53 G00 C0.\nG255\n")),
+        ("G254\n".to_owned(), "G254\nG00 C90.\n".to_owned(), in_rotation),
+        ("G254\n".to_owned(), "G254\nG53 G00 C0.\n".to_owned(), in_rotation),
+        (format!("{off}\nG255\n"), format!("{off}\nG53 G00 C0.\nG255\n"), in_rotation),
     ] {
         let edited = program.replacen(&was, &is, 1);
         assert_ne!(edited, program, "{was} is there");
         let found = findings::<SpinnerU5620>(&config, &Haas, FACES, &edited);
-        assert!(!found.is_empty(), "{was:?} as {is:?}\n{edited}");
+        assert!(found.iter().any(|found| found.contains(text)), "{was:?} as {is:?}: {found:?}\n{edited}");
     }
     let never_off = program.replace("G255\n", "");
     assert!(!findings::<SpinnerU5620>(&config, &Haas, FACES, &never_off).is_empty(), "{never_off}");
+}
+
+#[test]
+fn it_is_not_in_force_in_a_tilted_plane() {
+    let keys = "control.plane_by = \"tilted_plane\"\n";
+    let (program, config) = (program::<SpinnerU5620>(keys), config::<SpinnerU5620>(keys).expect("it suits"));
+    for (was, is) in [("G253\n", "G253\nG254\n"), ("G253\n", "G254\n")] {
+        let edited = program.replacen(was, is, 1);
+        let found = findings::<SpinnerU5620>(&config, &Haas, FACES, &edited);
+        assert!(found.iter().any(|found| found.contains("in a tilted plane")), "{found:?}\n{edited}");
+    }
 }

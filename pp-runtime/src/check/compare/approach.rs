@@ -1,5 +1,6 @@
 //! The approach: from the machine retract to the approach point, or back to the cut after a rewind.
 
+use std::f64::consts::TAU;
 use std::io;
 
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedItem};
@@ -59,6 +60,7 @@ impl Comparison<'_> {
         }
         self.compare_frame_of_step(retracted, step, current);
         self.moves_once(retracted, step.enters_tip_control, current);
+        self.rotates_too_far(current);
         self.home_before_rotation(retracted, step.turned, current);
         self.compare_state_of_step(retracted, step, current);
         self.functions.state_axes(current.block.written);
@@ -248,6 +250,23 @@ impl Comparison<'_> {
             self.found(current, &text);
         }
         retracted.approach = (block.values, moved | block.written);
+    }
+
+    /// An axis without limits comes to every angle within a revolution; behind tool vectors it may be half a revolution or more off its
+    /// last word.
+    fn rotates_too_far(&mut self, current: &Current<'_>) {
+        let (block, known) = (current.block, self.previous.known);
+        let limits = self.rules.policy().set_up.travel(self.rules.axes()).limits;
+        let largest = 2.0 * TAU + 1.5 * self.rules.rounding().unit_rad;
+        let too_far = |&index: &usize| {
+            block.written & known & (1 << index) != 0
+                && limits[index].is_none()
+                && (block.values[index] - self.previous.words[index]).abs() > largest
+        };
+        if let Some(index) = self.rules.words().rotary().find(too_far) {
+            let letter = self.rules.axes()[index].letter;
+            self.found(current, &format!("{letter} rotates by more than two revolutions in this approach"));
+        }
     }
 
     /// In a tilted plane the rotary axes are where the plane requires them.

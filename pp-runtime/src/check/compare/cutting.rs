@@ -790,9 +790,12 @@ impl Comparison<'_> {
         self.pass_needless_from(cutting.here.as_ref())?;
         let Some((rest, out)) = self.rest_of_retract(cutting, &here, end) else { return Ok(None) };
         self.missing_dwells(current, false);
-        // By whole revolutions the tool axis is the same at both ends, and nowhere between.
+        // A whole revolution leaves the tool axis the same at both ends, but not between.
         if self.rules.moved(&self.previous.words, self.previous.known, current.block) != 0 {
             self.found(current, "rotary axes rotate in this retract along the tool axis");
+        }
+        if self.stops_in_cut(current.block) {
+            self.found(current, "the spindle is off before this retract along the tool axis, and was on in the cut");
         }
         // The machine retract that follows each restart point has not come.
         let after_restart = self.duties.owes(Duty::Retract) && !self.duties.owes(Duty::RetractAfterShopLine);
@@ -805,6 +808,14 @@ impl Comparison<'_> {
         let fault = self.rules.fault_at_leave(current.block, self.progress.last(), context);
         self.found_state(current, fault);
         Ok(Some(Leaving { here: *end, retract: cutting.retract.longer(rest), rewind }))
+    }
+
+    /// Whether the spindle has been switched off since the last cut by something that the CL data has not.
+    fn stops_in_cut(&self, block: &Block) -> bool {
+        let in_cut = self.progress.last().and_then(|required| self.rules.spindle_in_cut(required));
+        let asked = matches!(self.progress.requested_spindle(), Some(None));
+        let stopped = asked || self.duties.owes(Duty::SpindleAgain);
+        in_cut.is_some() && block.state.spindle == Some(None) && !stopped
     }
 
     /// The point at which a retract interrupts the cut, if it does so. A cut that is done but for rounding may have to go on:

@@ -233,7 +233,7 @@ impl Comparison<'_> {
             );
         }
         if was_framed && !framed && !facts.plane_off_before_retract {
-            self.found(current, "the tilted plane is switched off before the machine has retracted");
+            self.found(current, "the frame of the plane is switched off before the machine has retracted");
         }
     }
 }

@@ -167,7 +167,10 @@ impl Comparison<'_> {
             Duty::ClampsOfCuts => {}
             Duty::OperationEnded => self.ends_operation(current),
             Duty::ToolEnded => {
-                let missing = self.shop_lines.skip();
+                let missing = self.shop_lines.end_tool(match phase {
+                    Some(_) => "before the blocks that may be skipped begin or end",
+                    None => "before the axes are parked",
+                });
                 self.found_all(current, missing);
             }
             Duty::ProgramEnded => {

@@ -64,6 +64,9 @@ impl Comparison<'_> {
         if first && !matches!(phase, Phase::Cutting(_)) {
             self.found(current, "the tool is not at the point at which the probe measures");
         }
+        if !first && phase.is_retracted() {
+            self.found(current, "the machine has retracted before this block with which a probe measures");
+        }
         if first && state.spindle.flatten().is_some() {
             self.found(current, "the spindle is on where a probe measures");
         }

@@ -128,16 +128,15 @@ impl ShopLines {
         }
     }
 
-    /// Blocks that may be skipped begin or end: what the tool that has cut lacks before them. Whichever tool is in the spindle
-    /// afterwards, it is not looked at any more.
-    pub(super) fn skip(&mut self) -> Vec<String> {
+    /// What the tool that has cut lacks before a place. Whichever tool is in the spindle afterwards, it is not looked at any more.
+    pub(super) fn end_tool(&mut self, before: &str) -> Vec<String> {
         let tool = self.last_tool.map(|(tool, _)| tool);
         let checked = self.is_checked(tool);
         if !std::mem::take(&mut self.has_cut) {
             return Vec::new();
         }
         self.has_ended = true;
-        self.missing("before the blocks that may be skipped begin or end", |place| match place {
+        self.missing(before, |place| match place {
             OwnPlace::CheckTool => checked,
             OwnPlace::ToolEnd { tool: of } => tool == Some(Some(of)),
             _ => false,

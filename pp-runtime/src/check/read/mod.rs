@@ -59,6 +59,7 @@ pub(crate) use facts::{Facts, Form, GuardSource, LeftOver, LengthRegisters, Pose
 pub(crate) use language::table;
 pub(crate) use machine::AxisName;
 pub(crate) use own::{OwnText, PlacedLines, is_filled, is_read};
+pub(in crate::check) use state::settled;
 
 use flow::{Flow, Taken};
 use heidenhain::Heidenhain;

@@ -218,7 +218,7 @@ pub mod stated {
 
 /// What a program before may have left in force, and the code that ends it: bits of what the program has settled since its last
 /// cut before the complete state.
-pub(crate) mod settled {
+pub(in crate::check) mod settled {
     /// Cutter compensation.
     pub(crate) const SIDE: u32 = 1;
     /// Length compensation.

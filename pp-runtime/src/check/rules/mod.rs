@@ -78,6 +78,8 @@ pub(super) struct Rules<'a> {
     largest_rest_rad: f64,
     /// Outside tip control and planes the machine retract leads along the tool axis.
     retracts_along_tool: bool,
+    /// Why the control has no dynamic work offset for this machine and set-up.
+    dynamic_offset_fault: Option<&'static str>,
     /// The last even rotation: tool axis at its end, and the words there.
     even_end: Cell<Option<(Vector3<f64>, [f64; MAX_AXES])>>,
 }
@@ -108,6 +110,7 @@ impl<'a> Rules<'a> {
             largest_rest_rad: largest_rest_rad(machine.axes(), policy, first_rotary),
             pole: first_rotary.map(|index| machine.joint(index).direction.into_inner()),
             retracts_along_tool: retracts_along_tool(&*machine),
+            dynamic_offset_fault: dynamic_offset_fault(&*machine, policy),
             even_end: Cell::new(None),
             meaning: policy.linear_of_all().unwrap_or(LinearMeaning::AxisPositions),
             framed: false,
@@ -590,7 +593,17 @@ fn largest_rest_rad(axes: &[Axis], policy: &CheckPolicy, first_rotary: Option<us
     if limited { TAU } else { PI }
 }
 
-/// Whether linear words are coordinates of the tip, or of a tilted plane: they are not along the axes.
+/// What a dynamic work offset does not allow for (Haas, page of G254).
+fn dynamic_offset_fault(machine: &dyn AnyMachine, policy: &CheckPolicy) -> Option<&'static str> {
+    let mut axes = machine.axes().iter().filter(|axis| is_solved(axis, AxisKind::Rotary));
+    if axes.any(|axis| axis.side == Side::Tool) {
+        return Some("the dynamic work offset (G254) does not allow for a rotary axis in the head");
+    }
+    let moved = policy.set_up.rotary_offset.values().any(|offset| *offset != 0.0);
+    moved.then_some("the dynamic work offset (G254) needs 0 for the rotary axes in the work offset (`rotary_offset`)")
+}
+
+/// Whether linear words are coordinates of the tip, or of a tilted plane. Those under a dynamic work offset are along the axes.
 fn is_framed(state: &State) -> bool {
     state.tip_control != TipControl::Off || state.tilt.is_some()
 }

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use super::super::expect::{Required, SpindleState};
 use super::super::policy::{CheckPolicy, LinearMeaning, RolloverRule};
 use super::super::read::{
-    Action, Block, Facts, FeedMode, Form, LeftOver, Length, Side, State, TipControl, WorkOffset, WorkPlane,
+    Action, Block, Facts, FeedMode, Form, LeftOver, Length, Side, State, TipControl, WorkOffset, WorkPlane, settled,
 };
 use super::{Rules, apart};
 use crate::check::tolerances::{ROUNDED_SPEED, ROUNDED_WORD};
@@ -292,7 +292,8 @@ impl Rules<'_> {
                 side.name()
             ));
         }
-        if state.settled & self.left_over != self.left_over {
+        let owed = self.owed(state);
+        if state.settled & owed != owed {
             return self.not_settled(state);
         }
         let selects = self.facts.rotary_path_selected && !self.policy.shop.own_safety;
@@ -318,9 +319,18 @@ impl Rules<'_> {
         None
     }
 
+    /// Bits of what a restart point must have ended: what every control may have left, and a frame that is in force, since the program
+    /// may be entered after a stop in it.
+    #[inline]
+    fn owed(&self, state: &State) -> u32 {
+        let framed = state.dynamic_offset || state.tilt.is_some();
+        if framed && !self.policy.shop.own_safety { self.left_over | frame_bits(state) } else { self.left_over }
+    }
+
     /// What a program before may have left, and this one has not ended.
     fn not_settled(&self, state: &State) -> Option<String> {
-        let is_missing = |left: &&LeftOver| left.bit & self.left_over & !state.settled != 0;
+        let owed = self.owed(state);
+        let is_missing = |left: &&LeftOver| left.bit & owed & !state.settled != 0;
         let LeftOver { what, code, .. } = self.facts.left_over.iter().find(is_missing)?;
         let since = state.since_lost(true);
         Some(format!(
@@ -338,6 +348,9 @@ impl Rules<'_> {
                 .filter(|tilt| !tilt.oriented)
                 .map(|_| "a tilted plane is active, but the rotary axes have not been positioned to it".to_owned());
         }
+        if state.dynamic_offset && self.dynamic_offset_fault.is_some() {
+            return self.dynamic_offset_fault.map(str::to_owned);
+        }
         if state.dynamic_offset && !(framed && self.meaning == PlaneCoordinates) {
             return Some(
                 "the dynamic work offset (G254) is active, but words are not counted from its zero".to_owned(),
@@ -351,9 +364,9 @@ impl Rules<'_> {
             }
             // With the rotary axes at zero these are coordinates in a plane that is not tilted.
             (PlaneCoordinates, true) if !tilted && self.are_at_zero(block) => None,
-            (PlaneCoordinates, true) if state.dynamic_offset => None,
+            (PlaneCoordinates, true) if state.dynamic_offset && !tilted && !tip_control => None,
             (PlaneCoordinates, true) if !tilted => {
-                Some("no tilted plane is active, but linear words are coordinates in one".to_owned())
+                Some("no plane is active, but linear words are coordinates in one".to_owned())
             }
             (PlaneCoordinates, true) if state.tilt.is_some_and(|tilt| !tilt.oriented) => {
                 Some("a tilted plane is active, but the rotary axes have not been positioned to it".to_owned())
@@ -564,6 +577,12 @@ pub(super) fn left_over(policy: &CheckPolicy, facts: &Facts) -> u32 {
     let shop = &policy.shop;
     let asked = facts.left_over.iter().filter(|left| !shop.own_safety && left.of.is_in(shop.functions.as_deref()));
     asked.fold(0, |bits, left| bits | left.bit)
+}
+
+/// Bits of the frames in force.
+fn frame_bits(state: &State) -> u32 {
+    let plane = if state.tilt.is_some() { settled::PLANE } else { 0 };
+    plane | if state.dynamic_offset { settled::DYNAMIC_OFFSET } else { 0 }
 }
 
 /// The work offset of each set-up.

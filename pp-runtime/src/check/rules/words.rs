@@ -256,7 +256,8 @@ impl Words {
     fn place_in_frame(&self, words: &[f64; MAX_AXES], state: &State) -> ToolPose {
         match (&state.tip_control, &state.tilt) {
             (TipControl::Off, None) => {
-                let values = self.with_moved_zero(words).unwrap_or_else(|| self.values(words));
+                // Without a place for the zero nothing is at its place.
+                let values = self.with_moved_zero(words).unwrap_or([f64::NAN; MAX_AXES]);
                 self.chain.place(&values)
             }
             (TipControl::On { start }, _) => {

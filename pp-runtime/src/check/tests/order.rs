@@ -509,3 +509,45 @@ fn a_plane_that_ends_before_its_motion_is_found() {
     let found = again::<OneTable>("heidenhain", Mode::Tcp, set_up, TILTED, &edited);
     assert!(found.iter().any(|text| text.contains("ends before a motion in it")), "{found:?}\n{edited}");
 }
+
+#[test]
+fn a_spindle_that_stops_in_the_cut_is_found() {
+    let set_up = "retract.distance = 20\n";
+    for control in ["linuxcnc", "fanuc", "haas", "siemens"] {
+        let program = posted_right::<OneTable>(control, Mode::Axes, set_up, TILTED);
+        let lines: Vec<&str> = program.lines().collect();
+        let is_rapid = |line: &&str| line.starts_with("G0 Z") || line.starts_with("G00 Z");
+        let retract = lines.iter().rfind(|line| is_rapid(line)).expect("the retract");
+        let off = if control == "haas" { "M05" } else { "M5" };
+        let stopped = program.replace(&format!("{retract}\n"), &format!("{off}\n{retract}\n"));
+        let found = again::<OneTable>(control, Mode::Axes, set_up, TILTED, &stopped);
+        assert!(
+            found.iter().any(|text| text.contains("the spindle is off before this retract")),
+            "{found:?}\n{stopped}"
+        );
+    }
+}
+
+#[test]
+fn an_approach_with_many_revolutions_is_found() {
+    let set_up = "retract.distance = 20\n";
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, set_up, TILTED.repeat(2).as_str());
+    let place = program.rfind("G0 A").expect("a rotary axis alone");
+    let line = program[place..].lines().next().expect("its line");
+    let angle: f64 = line[4..].parse().expect("a number");
+    let far = format!("{}G0 A{:?}{}", &program[..place], angle + 3600.0, &program[place + line.len()..]);
+    let found = again::<OneTable>("fanuc", Mode::Axes, set_up, TILTED.repeat(2).as_str(), &far);
+    assert!(found.iter().any(|text| text.contains("by more than two revolutions")), "{found:?}\n{far}");
+}
+
+#[test]
+fn a_code_of_the_spindle_between_the_holes_of_rigid_tapping_is_found() {
+    let data = "UNITS/MM\nLOADTL/1\nSPINDL/500,CLW\nRAPID\nGOTO/0,0,50\nCYCLE/TAP,DEPTH,10,CLEAR,5,MMPR,1.25\nGOTO/0,0,0\n\
+                GOTO/20,0,0\nCYCLE/OFF\nRAPID\nGOTO/20,0,50\n";
+    let set_up = "cycles.rigid = true\ncl.dialect = \"iso\"\nretract.distance = 20\n";
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, set_up, data);
+    let tap = program.lines().find(|line| line.contains("G84")).expect("a thread");
+    let edited = program.replace(&format!("{tap}\n"), &format!("{tap}\nS500 M3\n"));
+    let found = again::<Mill>("fanuc", Mode::Axes, set_up, data, &edited);
+    assert!(found.iter().any(|text| text.contains("between the holes of rigid tapping")), "{found:?}\n{edited}");
+}

@@ -30,7 +30,7 @@ pub(crate) struct FrameWriter {
 impl FrameWriter {
     pub(crate) fn new(layout: &Layout) -> Self {
         Self {
-            uses: [layout.tip_control, layout.planes, layout.dynamic_offset],
+            uses: [layout.frames.tip_control, layout.frames.planes, layout.frames.dynamic_offset],
             functions: layout.options.functions.clone(),
             tip_control: layout.options.tip_control_codes().cloned(),
             safety: layout.options.safety.clone(),

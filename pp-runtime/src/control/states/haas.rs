@@ -1,7 +1,7 @@
 //! States of the Haas NGC.
 
 use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated};
-use super::StateUse::{Compensation, Cycles, Every, Planes, Rotary, TipControl};
+use super::StateUse::{Compensation, Cycles, Every, Kinematics, Planes, Rotary, TipControl};
 use super::{LENGTH, StateRow, state};
 use crate::control::options::ControlFunction;
 
@@ -40,7 +40,7 @@ pub(super) const STATES: &[StateRow] = &[
         .because("they hold data of the shop"),
     state("settings 40, 43 and 58", "offset of G41 and G42", Noted(|codes| codes.radius_data[0]), Compensation, SETTINGS).because(SETTING),
     state("setting 335", "axes of a rapid arrive together, or not", Stated("rapids as `control.linear_rapids` has them (setting 335)"), Every, SETTINGS).because(SETTING),
-    state("settings 255 to 257, 300 to 305", "centres of the rotary axes", Stated("the settings of the machine rotary zero point (255 to 257, or 300 to 305) are measured"), TipControl, "").because(SETTING),
+    state("settings 255 to 257, 300 to 305", "centres of the rotary axes", Stated("the settings of the machine rotary zero point (255 to 257, or 300 to 305) are measured"), Kinematics, "").because(SETTING),
     state("setting 108", "rotary axes go to zero by the shorter way at G28", Stated("setting 108 does not rotate an axis at G28 that the program leaves where it is"), Rotary, SETTINGS)
         .because(SETTING),
     state("wrap of rotary axes", "words of rotary axes beyond a revolution", Noted(|codes| codes.rotary_note), Rotary, "").because(SETTING),

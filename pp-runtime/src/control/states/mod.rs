@@ -18,6 +18,7 @@ mod values;
 use std::io::{self, Write};
 
 use super::dialects::{Control, Spellings};
+use super::layout::FramesUsed;
 use super::options::{ControlFunction, ControlOptions};
 pub(super) use values::States;
 pub(crate) use values::{ControlState, StepCycles};
@@ -63,6 +64,8 @@ pub(crate) enum StateUse {
     Rotary,
     TipControl,
     Planes,
+    /// The control computes with the centres of the rotary axes: tip control, planes, a dynamic work offset.
+    Kinematics,
     /// With cutter compensation.
     Compensation,
     /// With canned cycles of the control.
@@ -73,10 +76,7 @@ pub(crate) enum StateUse {
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct ProgramUses {
     pub(crate) rotary: bool,
-    pub(crate) tip_control: bool,
-    pub(crate) planes: bool,
-    /// The zero of the words moves with the table.
-    pub(crate) dynamic_offset: bool,
+    pub(crate) frames: FramesUsed,
     pub(crate) compensation: bool,
     pub(crate) cycles: bool,
     /// Guards compare what lies over the work offset.
@@ -90,8 +90,9 @@ impl ProgramUses {
         match of {
             StateUse::Every => true,
             StateUse::Rotary => self.rotary,
-            StateUse::TipControl => self.tip_control,
-            StateUse::Planes => self.planes,
+            StateUse::TipControl => self.frames.tip_control,
+            StateUse::Planes => self.frames.planes,
+            StateUse::Kinematics => self.frames != FramesUsed::default(),
             StateUse::Compensation => self.compensation,
             StateUse::Cycles => self.cycles,
         }
@@ -133,8 +134,9 @@ impl StateRow {
 fn ends(function: ControlFunction, codes: &Spellings, options: &ControlOptions, uses: &ProgramUses) -> bool {
     let functions = options.functions.as_deref();
     let used = match function {
-        ControlFunction::Planes => uses.planes,
-        ControlFunction::DynamicOffset => uses.dynamic_offset,
+        ControlFunction::TipControl => uses.frames.tip_control,
+        ControlFunction::Planes => uses.frames.planes,
+        ControlFunction::DynamicOffset => uses.frames.dynamic_offset,
         _ => false,
     };
     match codes.cancels.iter().find(|cancel| cancel.of == function) {

@@ -2,6 +2,7 @@
 
 use super::{ProgramUses, StateHandling, conditions, from_memory, of};
 use crate::control::CONTROLS;
+use crate::control::layout::FramesUsed;
 use crate::control::options::{ControlFunction, ControlOptions};
 
 /// Most rows of a control that are from memory.
@@ -56,9 +57,7 @@ fn codes_that_the_table_sets_are_in_the_blocks_of_a_restart_point() {
 fn what_no_word_code_or_guard_deals_with_is_a_condition() {
     let uses = |on: bool| ProgramUses {
         rotary: true,
-        tip_control: true,
-        planes: true,
-        dynamic_offset: true,
+        frames: FramesUsed { tip_control: true, planes: true, dynamic_offset: true },
         compensation: true,
         cycles: true,
         offset_guard: on,

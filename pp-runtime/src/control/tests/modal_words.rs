@@ -106,7 +106,11 @@ fn f_is_written_again_where_tip_control_or_a_plane_has_begun() {
             cut(4),
         ];
         for control in CONTROLS.iter().filter(|control| control.spellings().tip.is_some()) {
-            let lines = steps(*control, &Layout { tip_control, planes: !tip_control, ..layout() }, &blocks);
+            let lines = steps(
+                *control,
+                &Layout { frames: FramesUsed { tip_control, planes: !tip_control, dynamic_offset: false }, ..layout() },
+                &blocks,
+            );
             let with_f = lines.iter().filter(|line| line.contains("F800")).count();
             assert_eq!(with_f, 2, "{lines:#?}");
         }

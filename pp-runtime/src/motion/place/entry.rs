@@ -57,7 +57,7 @@ impl Placer {
             }
             (TipStart::WithMotion { .. }, Some(PlaneAbility { length_first: true, .. })) => Err(Fault::new(
                 "the table is rotated where tip control begins: X and Y come over the part in the dynamic offset (G254), which is \
-                 not among `control.functions`",
+                 not among `control.functions`, or is not for this `rotary_offset`",
             )
             .help("add \"dynamic_offset\" if the control has it, or use `mode = \"axes\"`")),
             (TipStart::Configured, _) | (_, None) => before(self.axis_words_across(above)?, None),

@@ -294,9 +294,14 @@ fn plane_lean<S: Sink>(planner: &Planner<'_, S>) -> f64 {
 
 /// A motion in program coordinates, mm; refused where the tool axis is not Z of the program.
 fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &AxisPosition, motion: &Move) -> Result<Vector3<f64>, Fault> {
+    let in_plane = planner.mover.placer().mode() == StretchMode::Plane;
     let tilted = || {
         Fault::new("cutter compensation works in the plane of X and Y, but the tool axis is not Z of the program here")
-            .help("post this program with mode plane, or remove CUTCOM")
+            .help(match in_plane {
+                // The rotary axes are off the tool axis, as those with steps are.
+                true => "move the tool axis of the operation to a step in CAM",
+                false => "post this program with mode plane, or remove CUTCOM",
+            })
     };
     let (_, map) = planner.mover.placer().orthogonal_map(from).ok_or_else(tilted)?;
     let along = map * motion.pose.axis.into_inner();

@@ -48,7 +48,7 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
              correct the setting, or the dimensions and `d` of the declaration. The post and the control must have the same numbers."
                 .to_owned(),
         ],
-        tests: tests(machine, &Words { control: "haas", tip_control: "G234", plane: "G268 and G253" }),
+        tests: tests(machine, &Words { control: "haas", tip_control: "G234", plane: "G254, or with G268 and G253" }),
         sources: vec!["No public page of these settings was found: everything here is from general knowledge."],
     })
 }

@@ -324,7 +324,7 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
     let rounding = if straight { 6.0 * allowed.unit / length } else { 0.0 };
     // Whether the largest speeds of the axes hold it back depends on them.
     let found_by_control = allowed.axis_speeds && old.vector.is_some() && new.vector.is_some();
-    let by_pole = passes_pole([was.before.vector, old.vector]);
+    let factor = if passes_pole([was.before.vector, old.vector]) { 10.0 } else { 2.0 };
     let feed = match (was.block.feed(), is.block.feed()) {
         (Some(Feed::PerMinute(was)), Some(Feed::PerMinute(is)))
         | (Some(Feed::InverseTime(was)), Some(Feed::InverseTime(is)))
@@ -332,7 +332,7 @@ fn moved(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> Option<Difference
             if !short =>
         {
             let largest = rounding.max(0.0101);
-            if found_by_control && (is <= 2.0 * was && was <= 2.0 * is || by_pole) {
+            if found_by_control && is.max(was) <= factor * is.min(was) {
                 soft((was - is).abs() > largest * was, "F of a block whose rotary angles the control finds")
             } else {
                 compared("F", was, is, largest * was)
@@ -367,7 +367,7 @@ fn is_free(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> bool {
         if to.vector.is_some() && !still { None } else { tool_axis(&middle, allowed) }
     };
     let ends = [was, is].map(|event| tool_axis(&event.block.state, allowed));
-    tips(was) && tips(is) && is_about(ends, NEARLY) && is_about([was, is].map(middle), NEARLY)
+    tips(was) && tips(is) && is_same(ends) && is_same([was, is].map(middle))
 }
 
 /// Tool axis on the workpiece: the vector, or that of the rotary axes.
@@ -413,12 +413,18 @@ pub(super) fn rotates_freely(event: &Event<'_>, allowed: Allowed) -> bool {
     event.before.under_tip_control()
         && !event.block.words.is_empty()
         && event.block.words.letters().all(|letter| is_rotary(letter) || from.get(letter) == to.get(letter))
-        && is_about(axes, NEARLY)
+        && is_same(axes)
 }
 
 /// Whether two unit vectors are known and equal, as far as rounded words show.
 pub(super) fn is_near(vectors: [Option<[f64; 3]>; 2]) -> bool {
     is_about(vectors, 1e-4)
+}
+
+/// The same, where near the pole an axis may rotate a little about the tool as well.
+fn is_same(vectors: [Option<[f64; 3]>; 2]) -> bool {
+    let at_pole = vectors.iter().flatten().all(|[x, y, _]| x.hypot(*y) < NEAR_POLE);
+    is_about(vectors, if at_pole { NEARLY } else { 1e-4 })
 }
 
 fn is_about(vectors: [Option<[f64; 3]>; 2], largest: f64) -> bool {

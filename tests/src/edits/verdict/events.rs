@@ -103,7 +103,9 @@ fn is_later(action: &Event<'_>, next: &Event<'_>) -> bool {
     let guards = matches!(next.block.effect, Effect::Guard { .. }) && next.block.state.guarded.is_some();
     let again = matches!(action.block.effect, Effect::ToolChange(tool) if action.before.tool == Some(tool));
     // At the retract a rotary axis may rotate before a stop, or a code that switches nothing that is known here.
-    let rotates = action.block.effect == Effect::Rapid && action.block.words.letters().all(is_rotary);
+    let retracted = action.before.position.letters().all(is_rotary);
+    let rotary = !action.block.words.is_empty() && action.block.words.letters().all(is_rotary);
+    let rotates = action.block.effect == Effect::Rapid && retracted && rotary;
     matches!(action.block.effect, Effect::Machine | Effect::Dwell(_))
         || rotates && (next.block.effect.stops() || matches!(next.block.effect, Effect::Shop(_)))
         || matches!(action.block.effect, Effect::Guard { .. } | Effect::OffsetGuard)

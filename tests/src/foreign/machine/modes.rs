@@ -186,6 +186,9 @@ impl Machine {
             Meaning::Tilt => state.tilt = Some(command.tilt.take()),
             Meaning::TiltOff | Meaning::TiltOffTurning => state.tilt = Some(None),
             Meaning::Smoothing => smooth(state, command),
+            Meaning::DynamicOffset(true) if state.under_tip_control() || state.tilted_plane().is_some() => {
+                return Err("a dynamic work offset under tip control or in a plane".to_owned());
+            }
             Meaning::DynamicOffset(on) => state.dynamic_offset = on,
             Meaning::Orient => {
                 let plane = state.tilted_plane().ok_or("no tilted plane to turn to")?;

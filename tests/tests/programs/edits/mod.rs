@@ -158,7 +158,7 @@ fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
     let plane = edit.before.contains("COORD ROT") && !edit.after.contains("COORD ROT");
     // A label of a guard, to which the control does not get unless it stops.
     let label = edit.before.contains("LBL \"");
-    // A plane in which nothing moves.
+    // A plane call more or less: harmless where nothing moves in it, and the check may find it.
     let begins = |text: &str| ["G68.2", "G254", "G268", "CYCLE800(0", "PLANE S"].map(|code| text.matches(code).count());
     let needless = begins(&edit.before) != begins(&edit.after);
     needless || parameter || label || plane || semicolon || ends || shop || off || unit || own || tool
@@ -211,8 +211,8 @@ fn is_supply_off_with_motion(verdict: &Verdict, edit: &Edit) -> bool {
         words.iter().any(|word| matches!(*word, "M9" | "M09"))
             && words.iter().any(|word| word.starts_with(['X', 'Y', 'Z', 'I']))
     };
-    matches!(verdict, Verdict::Harmful(why) if why.ends_with("a supply of the shop"))
-        && edit.after.split(" | ").any(moves)
+    let moved = || edit.after.split(" | ").any(moves) && !edit.before.split(" | ").any(moves);
+    matches!(verdict, Verdict::Harmful(why) if why.ends_with("a supply of the shop")) && moved()
 }
 
 /// Whether the work offset comes after the plane that is in it.
@@ -247,7 +247,8 @@ fn judged(posted: &Posted, edit: &Edit, order: bool, tally: &mut Tally) -> Optio
         || matches!(verdict, Verdict::Refused(_)) && (is_message(edit) || is_another_mode(edit))
         || matches!(verdict, Verdict::Harmful(_)) && !order && is_without_effect(edit)
         || is_supply_off_with_motion(&verdict, edit)
-        || subject.options.rapids_at_feed && matches!(&verdict, Verdict::Harmful(why) if why.ends_with("became feed"))
+        || subject.options.rapids_at_feed
+            && matches!(&verdict, Verdict::Harmful(why) if why.ends_with("dwell became feed"))
         || order && is_another_way(&verdict, edit)
         || verdict == Verdict::Harmless && is_offset_after_plane(edit)
         || verdict == Verdict::Harmless && is_another_restart(posted, edit, &edited)
@@ -274,7 +275,9 @@ fn judged(posted: &Posted, edit: &Edit, order: bool, tally: &mut Tally) -> Optio
         // The traces begin with a control that is in no state of a program before, and where an entry with a tool that stays cannot be
         // tried, what it lacks is not in them.
         (Verdict::Harmless, Some(found))
-            if found.contains("from a program before") || found.contains("since the complete state") =>
+            if found.contains("from a program before")
+                || found.contains("since the complete state")
+                    && edit.text.to_lowercase().contains("stays in the spindle") =>
         {
             tally.undecided += 1;
             None

@@ -87,7 +87,12 @@ impl Interpreter {
             Mode::RadiusDelta(Some(delta)) => state.radius_delta_mm = Some(delta),
             // Whether a call with S alone keeps DR is in no manual that was found.
             Mode::RadiusDelta(None) => state.radius_delta_mm = state.radius_delta_mm.filter(|delta| *delta == 0.0),
-            Mode::Spindle(rotation) => state.spindle = Some(rotation),
+            Mode::Spindle(rotation) => {
+                if self.motion.canned.is_some() && self.motion.rigid {
+                    fault(faults, 0, "a code of the spindle between the holes of rigid tapping");
+                }
+                state.spindle = Some(rotation);
+            }
             Mode::CoolantOff(kinds) => {
                 // Off codes of another supply leave flood and mist unknown.
                 let known = state.coolant.or((kinds & coolant::FLOOD != 0).then_some(0));
@@ -98,6 +103,9 @@ impl Interpreter {
             Mode::LengthOfTool => state.length = state.tool.map(Length::Register),
             Mode::Length(code, register) => self.set_length(code, register, faults),
             Mode::DynamicOffset(on) => {
+                if on && (state.tilt.is_some() || state.tip_control != TipControl::Off) {
+                    fault(faults, 0, "the dynamic work offset is switched on under tip control or in a tilted plane");
+                }
                 state.dynamic_offset = on;
                 self.frames.programmed(Frames::DYNAMIC_OFFSET, on);
             }

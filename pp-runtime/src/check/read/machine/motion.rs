@@ -96,8 +96,11 @@ impl Interpreter {
     }
 
     /// Axes have left their positions in the program.
-    fn lose(&mut self, written: u16) {
+    fn lose(&mut self, written: u16, faults: &mut Vec<Fault>) {
         self.known &= !written;
+        if written & self.axes.rotary != 0 && self.state.dynamic_offset {
+            fault(faults, 0, "a rotary axis moves while the dynamic work offset is active");
+        }
         if written & self.axes.rotary != 0
             && let Some(tilt) = &mut self.state.tilt
         {
@@ -118,7 +121,7 @@ impl Interpreter {
         if words.written == 0 {
             block.written = (1 << self.axes.names.len()) - 1;
         }
-        self.lose(block.written);
+        self.lose(block.written, &mut block.faults);
         let z = self.axes.linear[2].map_or(0, |z| 1 << z);
         if self.facts.reference_cancels_length && block.written & z != 0 {
             self.state.length = Some(Length::Off);
@@ -142,7 +145,7 @@ impl Interpreter {
 
     pub(super) fn machine_block(&mut self, words: &AxisWords, block: &mut Block) -> Action {
         self.put_words(words, block);
-        self.lose(words.written);
+        self.lose(words.written, &mut block.faults);
         if self.motion.code != Some(Code::Rapid) {
             fault(&mut block.faults, 0, "machine coordinates in a feed motion");
         }

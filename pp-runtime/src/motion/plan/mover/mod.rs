@@ -242,7 +242,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.placer.shifted(tip, at)
     }
 
-    /// Axes whose words a block inside an operation may have: in a tilted plane the control positions the rotary axes.
+    /// Axes whose words a block inside an operation may have: in a plane the rotary axes stay where they are.
     #[inline]
     pub(crate) fn block_axes(&self) -> u16 {
         let rotary = if self.placer.mode() == StretchMode::Plane { 0 } else { self.placer.rotary_mask() };

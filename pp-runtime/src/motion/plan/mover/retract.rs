@@ -49,9 +49,8 @@ impl<S: Sink> Mover<'_, S> {
             _ if !self.position.is_in_frame() => None,
             (StretchMode::Plane, _) if self.moves_zero() => Some((Step::DynamicOffset { on: false }, true)),
             (StretchMode::Plane, Some(plane)) => Some((Step::PlaneOff, plane.ends_after_retract)),
-            (StretchMode::Plane, None) | (StretchMode::Tcp | StretchMode::Axes, _) => {
-                Some((Step::TipControl { on: false }, false))
-            }
+            (StretchMode::Plane, None) | (StretchMode::Axes, _) => None,
+            (StretchMode::Tcp, _) => Some((Step::TipControl { on: false }, false)),
         };
         if let Some((off, false)) = off {
             self.output.step(&off)?;
