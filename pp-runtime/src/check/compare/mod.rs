@@ -622,7 +622,14 @@ impl Comparison<'_> {
         if let Some(Length::Register(register)) = now.length.filter(|_| moves && now.length != before.length) {
             let motion = (0..).map_while(|index| self.progress.get(index)).find(|item| item.motion().is_some());
             let expected = motion.map(|item| item.required.register).filter(|expected| *expected != register);
-            if let Some(expected) = expected {
+            let tool =
+                motion.and_then(|item| item.required.tool).filter(|tool| now.tool.is_some_and(|now| now != *tool));
+            if let Some(tool) = tool {
+                let text = format!(
+                    "length register {register} is called before the change to T{tool}: the call may move the tool"
+                );
+                self.found(current, &text);
+            } else if let Some(expected) = expected {
                 self.found(
                     current,
                     &format!("length register {register} is called, expected {expected}: the call may move the tool"),

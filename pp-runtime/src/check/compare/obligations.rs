@@ -174,6 +174,8 @@ impl Comparison<'_> {
                 self.found_all(current, missing);
             }
             Duty::ProgramEnded => {
+                let fault = self.rules.fault_in_modes(&current.block.state);
+                self.found_state(current, fault);
                 let missing = self.shop_lines.end();
                 self.found_all(current, missing);
             }

@@ -171,6 +171,13 @@ impl Rules<'_> {
         }
     }
 
+    /// At the end code: the modes in which the next program, or the operator, finds the control.
+    pub(crate) fn fault_in_modes(&self, state: &State) -> Option<StateFault> {
+        self.everywhere(state, Side::None, ModalContext::default())
+            .or_else(|| inverse_time(state))
+            .map(StateFault::from)
+    }
+
     /// At a position of the machine; `tilts`: the frame of a plane may still be in force; `spindle_on`: the state in which the spindle may be.
     pub(crate) fn fault_at_retract(
         &self,

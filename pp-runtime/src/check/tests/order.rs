@@ -551,3 +551,31 @@ fn a_code_of_the_spindle_between_the_holes_of_rigid_tapping_is_found() {
     let found = again::<Mill>("fanuc", Mode::Axes, set_up, data, &edited);
     assert!(found.iter().any(|text| text.contains("between the holes of rigid tapping")), "{found:?}\n{edited}");
 }
+
+/// The next program, and the operator, find the modes in which this one ends.
+#[test]
+fn a_mode_that_is_left_at_the_end_is_found() {
+    let set_up = "retract.distance = 20\n";
+    for (control, end, modes) in [
+        ("fanuc", "M30", &["G91", "G20", "G18", "G95", "G93"][..]),
+        ("haas", "M30", &["G91", "G20", "G18", "G95"]),
+        ("siemens", "M30", &["G91", "G18", "G95", "G93"]),
+        ("linuxcnc", "M2", &["G91", "G20", "G18", "G95"]),
+    ] {
+        let program = posted_right::<Mill>(control, Mode::Axes, set_up, TWO_OPERATIONS);
+        for mode in modes {
+            let left = program.replace(&format!("{end}\n"), &format!("{mode}\n{end}\n"));
+            assert_ne!(left, program);
+            assert_told::<Mill>(control, Mode::Axes, set_up, TWO_OPERATIONS, &left);
+        }
+    }
+}
+
+#[test]
+fn a_length_of_the_next_tool_before_its_change_is_found() {
+    let set_up = "retract.distance = 20\n";
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, set_up, TWO_OPERATIONS);
+    let early = program.replace("T2 M6\n", "G43 H2\nT2 M6\n");
+    let found = again::<Mill>("fanuc", Mode::Axes, set_up, TWO_OPERATIONS, &early);
+    assert!(found.iter().any(|text| text.contains("before the change to T2")), "{found:?}\n{early}");
+}
