@@ -80,10 +80,14 @@ fn what_no_word_code_or_guard_deals_with_is_a_condition() {
                     assert!(bare.contains(condition) && !guarded.contains(condition), "{name}: {condition}");
                 }
                 StateHandling::SetWhere(function, code) => {
-                    // Planes that a program uses are ended whatever is listed.
+                    // Frames that a program uses are ended whatever is listed.
                     let usual = control.spellings().cancels.iter().any(|cancel| cancel.of == function);
-                    let planes = function == ControlFunction::Planes && !usual;
-                    assert!(planes || bare.contains(row.name), "{name}: {code}");
+                    let used = !usual
+                        && matches!(
+                            function,
+                            ControlFunction::TipControl | ControlFunction::Planes | ControlFunction::DynamicOffset
+                        );
+                    assert!(used || bare.contains(row.name), "{name}: {code}");
                     assert!(!stated(&[function], true).contains(row.name), "{name}: {code}");
                 }
                 StateHandling::InWord(_) | StateHandling::Set(_) | StateHandling::Noted(_) => {}
