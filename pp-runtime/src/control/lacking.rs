@@ -61,7 +61,7 @@ pub fn take_out_lacking(
     if add(options.swivel_data.is_some() && !swivel, "has no swivel data: `control.swivel_data` is left out") {
         options.swivel_data = None;
     }
-    let dynamic_offset = codes.tip.as_ref().is_some_and(|tip| tip.dynamic_offset.is_some());
+    let dynamic_offset = ControlFunction::DynamicOffset.can_be_in(codes, false);
     if add(options.plane_by.is_some() && !dynamic_offset, "has no dynamic work offset: `control.plane_by` is left out")
     {
         options.plane_by = None;

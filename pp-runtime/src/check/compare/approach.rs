@@ -252,15 +252,16 @@ impl Comparison<'_> {
         retracted.approach = (block.values, moved | block.written);
     }
 
-    /// An axis without limits comes to every angle within a revolution; behind tool vectors it may be anywhere.
+    /// An axis without limits comes to every angle within a revolution; after tool vectors it may be anywhere.
     fn rotates_too_far(&mut self, current: &Current<'_>) {
+        if self.rules.policy().words.tool_axis_vectors {
+            return;
+        }
         let (block, known) = (current.block, self.previous.known);
         let limits = self.rules.policy().set_up.travel(self.rules.axes()).limits;
         let largest = 2.0 * TAU + 1.5 * self.rules.rounding().unit_rad;
-        let by_words = !self.rules.policy().words.tool_axis_vectors;
         let too_far = |&index: &usize| {
-            by_words
-                && block.written & known & (1 << index) != 0
+            block.written & known & (1 << index) != 0
                 && limits[index].is_none()
                 && (block.values[index] - self.previous.words[index]).abs() > largest
         };

@@ -178,7 +178,8 @@ impl Rules<'_> {
             .map(StateFault::from)
     }
 
-    /// At a position of the machine; `tilts`: the frame of a plane may still be in force; `spindle_on`: the state in which the spindle may be.
+    /// At a position of the machine; `tilts`: the frame of a plane may still be in force; `spindle_on`: the state in which the spindle
+    /// may be.
     pub(crate) fn fault_at_retract(
         &self,
         block: &Block,
@@ -330,8 +331,7 @@ impl Rules<'_> {
     /// may be entered after a stop in it.
     #[inline]
     fn owed(&self, state: &State) -> u32 {
-        let framed = state.dynamic_offset || state.tilt.is_some();
-        if framed && !self.policy.shop.own_safety { self.left_over | frame_bits(state) } else { self.left_over }
+        if self.policy.shop.own_safety { self.left_over } else { self.left_over | frame_bits(state) }
     }
 
     /// What a program before may have left, and this one has not ended.
@@ -355,8 +355,8 @@ impl Rules<'_> {
                 .filter(|tilt| !tilt.oriented)
                 .map(|_| "a tilted plane is active, but the rotary axes have not been positioned to it".to_owned());
         }
-        if state.dynamic_offset && self.dynamic_offset_fault.is_some() {
-            return self.dynamic_offset_fault.map(str::to_owned);
+        if let Some(fault) = self.dynamic_offset_fault.filter(|_| state.dynamic_offset) {
+            return Some(fault.to_owned());
         }
         if state.dynamic_offset && !(framed && self.meaning == PlaneCoordinates) {
             return Some(

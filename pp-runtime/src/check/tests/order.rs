@@ -421,8 +421,7 @@ fn the_guard_of_the_work_offset_comes_before_the_machine_retracts() {
 
 #[test]
 fn a_guard_of_a_plane_whose_call_is_lost_is_found() {
-    let data = "UNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/1000,CLW\nRAPID\nGOTO/0,0,50,0,-0.5,0.8660254\nFEDRAT/300,MMPM\n\
-                GOTO/0,0,10\nGOTO/10,0,10,0,-0.6,0.8\nRAPID\nGOTO/10,0,50\n";
+    let data = &format!("{TILTED}RAPID\nGOTO/10,0,50\n");
     let set_up = "retract.distance = 20\n";
     let program = posted_right::<OneTable>("heidenhain", Mode::Tcp, set_up, data);
     let call = program.lines().find(|line| line.contains("PLANE SPATIAL")).expect("a plane call");
@@ -530,13 +529,13 @@ fn a_spindle_that_stops_in_the_cut_is_found() {
 
 #[test]
 fn an_approach_with_many_revolutions_is_found() {
-    let set_up = "retract.distance = 20\n";
-    let program = posted_right::<OneTable>("fanuc", Mode::Axes, set_up, TILTED.repeat(2).as_str());
+    let (set_up, data) = ("retract.distance = 20\n", TILTED.repeat(2));
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, set_up, &data);
     let place = program.rfind("G0 A").expect("a rotary axis alone");
     let line = program[place..].lines().next().expect("its line");
     let angle: f64 = line[4..].parse().expect("a number");
     let far = format!("{}G0 A{:?}{}", &program[..place], angle + 3600.0, &program[place + line.len()..]);
-    let found = again::<OneTable>("fanuc", Mode::Axes, set_up, TILTED.repeat(2).as_str(), &far);
+    let found = again::<OneTable>("fanuc", Mode::Axes, set_up, &data, &far);
     assert!(found.iter().any(|text| text.contains("by more than two revolutions")), "{found:?}\n{far}");
 }
 

@@ -29,9 +29,9 @@
 //! In mode "plane" the same `G254` is in force for the whole operation: after all rotary motion, then X and Y in one block and Z in
 //! another; `G28`, `G53` and `M06` ignore it, and `G255` ends it before an axis rotates (UMC manual, p. 56, and the page of G254).
 //!
-//! `G268` tilts a plane instead (`control.plane_by`), with the length offset active before it, and `G253` rotates the axes; `Q123` is the order of its
-//! angles: about X, then Y, then Z of the work offset. From memory: no page of Haas that states it was found, and the header of a
-//! program with planes asks for it.
+//! `G268` tilts a plane instead (`control.plane_by`), with the length offset active before it, and `G253` rotates the axes; `Q123` is
+//! the order of its angles: about X, then Y, then Z of the work offset. From memory: no page of Haas that states it was found, and the
+//! header of a program with planes asks for it.
 
 use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};

@@ -58,7 +58,7 @@ pub(super) fn command(tokens: &[Token], _: &State) -> Result<Command, String> {
                 return Err("an arc with the words of another kind of arc".to_owned());
             }
             if name(0) == "CP" && ['X', 'Y'].into_iter().any(|letter| has(Address::Axis(letter))) {
-                return Err("an end of the arc beside its angle".to_owned());
+                return Err("an arc with its angle and an end".to_owned());
             }
         }
         ("TOOL", "DEF") => match &tokens[2..] {

@@ -75,9 +75,13 @@ impl Interpreter {
     fn left_plane(&mut self, rotary: u16, (from, known): ([f64; MAX_AXES], u16), faults: &mut Vec<Fault>) {
         let moved =
             |index: usize| known & (1 << index) == 0 || (self.values[index] - from[index]).abs() > SAME_ROTARY_WORD;
-        if self.state.tilt.is_none() && !self.state.dynamic_offset || !set_bits(rotary).any(moved) {
-            return;
+        if (self.state.tilt.is_some() || self.state.dynamic_offset) && set_bits(rotary).any(moved) {
+            self.rotates(faults);
         }
+    }
+
+    /// A rotary axis leaves the frame that was set at its angle.
+    fn rotates(&mut self, faults: &mut Vec<Fault>) {
         if self.state.dynamic_offset {
             fault(faults, 0, "a rotary axis moves while the dynamic work offset is active");
         }
@@ -98,13 +102,8 @@ impl Interpreter {
     /// Axes have left their positions in the program.
     fn lose(&mut self, written: u16, faults: &mut Vec<Fault>) {
         self.known &= !written;
-        if written & self.axes.rotary != 0 && self.state.dynamic_offset {
-            fault(faults, 0, "a rotary axis moves while the dynamic work offset is active");
-        }
-        if written & self.axes.rotary != 0
-            && let Some(tilt) = &mut self.state.tilt
-        {
-            tilt.oriented = false;
+        if written & self.axes.rotary != 0 {
+            self.rotates(faults);
         }
     }
 
