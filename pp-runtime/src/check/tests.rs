@@ -2,6 +2,7 @@
 
 mod between;
 mod clear;
+mod edges;
 mod edits;
 mod order;
 mod poles;

@@ -37,6 +37,8 @@ pub use guard::guarded_length;
 pub use state::State;
 pub use trace::{Effect, Executed, Feed, Refused, Trace};
 
+use std::collections::BTreeSet;
+
 use flow::Flow;
 use guard::{Guards, Outcome};
 use lexer::{Content, Mark};
@@ -150,6 +152,7 @@ pub fn run(text: &str, options: &Options) -> Result<Trace, Refused> {
         ended: Ended::No,
         tapes: 0,
         parts: Parts::default(),
+        skippable: BTreeSet::new(),
     };
     let last = text.lines().count();
     if !options.untidy && !text.ends_with('\n') {
@@ -159,13 +162,22 @@ pub fn run(text: &str, options: &Options) -> Result<Trace, Refused> {
         for (index, line) in text.split_terminator('\n').enumerate() {
             let tidy = lexer::tidy::check(
                 options.control,
-                line.strip_suffix('~').map_or(line, str::trim_end),
+                line.strip_prefix('/')
+                    .unwrap_or(line)
+                    .strip_suffix('~')
+                    .map_or_else(|| line.trim_start_matches('/'), str::trim_end),
                 options.pointed,
             );
             tidy.map_err(|why| Refused { line: index + 1, why: format!("{why}: {line}") })?;
         }
     }
-    let joined = lexer::joined(options.control, text);
+    let mut joined = lexer::joined(options.control, text);
+    for (line, text) in &mut joined {
+        if let Some(rest) = text.strip_prefix('/') {
+            run.skippable.insert(*line);
+            *text = rest.trim_start().to_owned();
+        }
+    }
     if options.control == Control::Heidenhain {
         numbered(&joined)?;
     }
@@ -227,6 +239,8 @@ struct Run<'a> {
     /// Marks `%` so far.
     tapes: u32,
     parts: Parts,
+    /// Lines that may be skipped.
+    skippable: BTreeSet<usize>,
 }
 
 /// Parts of the old cycles of Heidenhain: 9.0 is followed by 9.1, and 9.1 follows 9.0.
@@ -275,6 +289,10 @@ impl Run<'_> {
         if ["BLK FORM ", "WORKPIECE("].iter().any(|blank| text.contains(blank)) {
             self.trace.blank.push(text.to_owned());
         }
+        if control == Control::LinuxCnc && text.starts_with('o') && self.reached && self.is_block_of_the_shop(text) {
+            self.calls_the_shop(line);
+            return Ok(());
+        }
         match self.guards.line(control, line, &content)? {
             Outcome::NotAGuard => {}
             Outcome::GoesOn => {
@@ -321,7 +339,7 @@ impl Run<'_> {
                 }
                 let command = match table::command(self.options, &tokens, &self.machine.state) {
                     Err(_) if self.is_block_of_the_shop(text) => {
-                        self.push(line, None, Effect::Shop(u32::MAX), Axes::default(), false);
+                        self.calls_the_shop(line);
                         return Ok(());
                     }
                     Err(why) => {
@@ -361,6 +379,15 @@ impl Run<'_> {
             _ => text,
         };
         self.options.idle.iter().any(|idle| idle == unnumbered && (idle.contains(' ') || !idle.starts_with('M')))
+    }
+
+    /// A program of the shop measures: it leaves the axes and the modes anywhere.
+    fn calls_the_shop(&mut self, line: usize) {
+        let State { tool, selected, spindle, speed, units, distance, feed_mode, .. } = self.machine.state;
+        let heidenhain = self.options.control == Control::Heidenhain;
+        let (distance, feed_mode) = (distance.filter(|_| heidenhain), feed_mode.filter(|_| heidenhain));
+        self.machine.state = State { tool, selected, spindle, speed, units, distance, feed_mode, ..State::default() };
+        self.push(line, None, Effect::Shop(u32::MAX), Axes::default(), false);
     }
 
     /// The tokens of a block but for the codes of the shop, which are executed; `None` if it has none.
@@ -404,6 +431,7 @@ impl Run<'_> {
     }
 
     fn push(&mut self, line: usize, number: Option<u32>, effect: Effect, words: Axes, restart: bool) {
-        self.trace.blocks.push(Executed { line, number, effect, words, restart, state: self.machine.state });
+        let skippable = self.skippable.contains(&line);
+        self.trace.blocks.push(Executed { line, number, effect, words, restart, skippable, state: self.machine.state });
     }
 }

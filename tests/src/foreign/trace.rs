@@ -29,6 +29,8 @@ pub struct Executed {
     pub words: Axes,
     /// The program can be entered here: the first block of a complete state.
     pub restart: bool,
+    /// The operator may skip it (`/`).
+    pub skippable: bool,
     /// State after the block.
     pub state: State,
 }

@@ -1,6 +1,8 @@
 //! Functions that the configuration puts into a program: length guards, dwells of the spindle, smoothing, clamps, and lines
 //! of the shop.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Vector3;
 
 use super::super::expect::{Required, RequiredSmoothing, SpindleState};
@@ -37,12 +39,23 @@ pub(super) struct FunctionState {
     unclamped: u16,
     /// The cuts before a retract that may be a rewind.
     interrupted: Option<InterruptedCuts>,
+    /// Clamps at the machine retract, and rotary axes whose words have come since: bits.
+    at_retract: Option<ClampsAtRetract>,
     /// Axes whose words have come since the complete state: bits.
     axes_stated: u16,
     /// The blank as far as the program has defined it, in its unit.
     blank: Blank,
     /// It has been compared with that of the configuration.
     blank_is_compared: bool,
+}
+
+/// Clamps at the machine retract: bits by axis.
+#[derive(Debug, Clone, Copy)]
+struct ClampsAtRetract {
+    clamped: u16,
+    known: u16,
+    /// Rotary words have come since.
+    rotated: u16,
 }
 
 /// The blank of a program: corners, and whether it is a cylinder.
@@ -224,6 +237,9 @@ impl FunctionState {
 
     /// Notes a line of the shop.
     pub(super) fn line(&mut self, places: &[OwnPlace]) {
+        if places.iter().any(|place| !matches!(place, OwnPlace::Clamp { .. })) {
+            self.at_retract = None;
+        }
         for place in places {
             if let OwnPlace::Clamp { axis, .. } = place {
                 self.clamps_stated |= 1 << axis;
@@ -314,10 +330,11 @@ impl FunctionState {
         let released = state.clamps_known & !state.clamped;
         // The control may rotate any of them.
         let mut rotated = if block.action == Action::Orient { clamps } else { moved };
+        if let Some(at_retract) = self.at_retract.as_mut().filter(|_| !at_part) {
+            at_retract.rotated |= block.written;
+        }
         if at_part {
-            if !block.action.is_rapid() {
-                self.unclamped |= clamps & !state.clamped;
-            }
+            self.unclamped |= clamps & !state.clamped;
             let axis = state.vector.map(|_| rules.pose(block).axis);
             let before = std::mem::replace(&mut self.tool_axis, axis);
             self.moved |= moved;
@@ -337,6 +354,40 @@ impl FunctionState {
         letter(rules, stuck).map(|letter| match state.clamped & stuck {
             0 => format!("{letter} moves, and its clamp has not been released"),
             _ => format!("{letter} moves while it is clamped"),
+        })
+    }
+
+    /// The machine has retracted.
+    pub(super) fn retract(&mut self, state: &State) {
+        self.at_retract = Some(ClampsAtRetract { clamped: state.clamped, known: state.clamps_known, rotated: 0 });
+    }
+
+    /// The approach has ended with this block.
+    pub(super) fn arrive(&mut self, state: &State, rules: &Rules<'_>) {
+        self.unclamped |= rules.clamps() & !state.clamped;
+    }
+
+    /// What is wrong with the clamps where nothing rotates any more since the machine retract: an axis that has rotated, or is `parked`
+    /// at the end, is clamped, and the others are as they were.
+    pub(super) fn clamps_left(&self, state: &State, rules: &Rules<'_>, parked: bool) -> Option<String> {
+        let ClampsAtRetract { clamped, known, rotated } = self.at_retract?;
+        let links = &rules.policy().links;
+        let with_place = |places: &[&BTreeMap<char, f64>]| {
+            let axes = rules.axes().iter().enumerate();
+            let with_place = axes.filter(|(_, axis)| places.iter().any(|places| places.contains_key(&axis.letter)));
+            with_place.fold(0, |bits, (index, _)| bits | 1 << index)
+        };
+        let clamps = rules.clamps() & state.clamps_known;
+        let parks = if parked { with_place(&[&links.park]) } else { 0 };
+        let loose = letter(rules, clamps & (rotated | parks) & !state.clamped);
+        if let Some(letter) = loose {
+            return Some(format!("{letter} has been positioned since the machine retract, and is not clamped here"));
+        }
+        // One that is at its place already is clamped there.
+        let placed = state.clamped & with_place(&[&links.park, &links.tool_position, &links.tool_change_position]);
+        let switched = clamps & known & !rotated & !placed & (clamped ^ state.clamped);
+        letter(rules, switched).map(|letter| {
+            format!("the clamp of {letter} has been switched since the machine retract, and the axis has not rotated")
         })
     }
 

@@ -6,7 +6,7 @@ use super::super::expect::{ExpectedAction, ExpectedItem, SpindleState};
 use super::super::geometry::ToolPose;
 use super::super::policy::RetractRule;
 use super::super::read::{Action, Block, OwnPlace};
-use super::super::rules::ModalContext;
+use super::super::rules::{ModalContext, OffsetsInForce};
 use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::{Cutting, Phase, Retracted};
 use super::{Comparison, Current, Previous, machine_move, parking, retract};
@@ -186,7 +186,15 @@ impl Comparison<'_> {
         let spindle = self.spindle_may_be(current.block, retracted.stopped);
         let fault = self.rules.fault_at_retract(block, tilts, spindle, context);
         self.found_state(current, fault);
+        if let Some(last) = self.progress.last().filter(|_| at_part) {
+            let fault = self.rules.fault_after_motion(&block.state, last);
+            self.found_state(current, fault);
+        }
         self.duties.happens(DutyEvent::Retract);
+        self.functions.retract(&block.state);
+        if at_part || !self.duties.owes(Duty::CompleteState) {
+            self.previous.offsets = Some(OffsetsInForce::of(&block.state));
+        }
         self.at_station = Default::default();
         if self.is_home_due(block.state.tool) {
             self.progress.take();

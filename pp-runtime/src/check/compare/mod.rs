@@ -40,7 +40,7 @@ use super::geometry::ToolPose;
 use super::policy::CheckPolicy;
 use super::read::{Action, ArcMove, Block, Length, MAX_AXES, PlacedLines, State, TipControl, WorkPlane};
 use super::report::{Shown, Tally};
-use super::rules::{ModalContext, Rules, StateFault, StateItem, chord};
+use super::rules::{ModalContext, OffsetsInForce, Rules, StateFault, StateItem, chord};
 use super::stream::{ExecutedBlock, Observer};
 use super::travel::{Findings, Travel};
 use crate::check::tolerances::BOTH;
@@ -173,6 +173,12 @@ struct Previous {
     unsure_tool: bool,
     /// The program has changed a tool.
     has_changed: bool,
+    /// The first tool that it has changed to.
+    first_tool: Option<u32>,
+    /// It has selected the next tool by itself.
+    prepares: bool,
+    /// Work offset and length since the last machine retract or line of the shop.
+    offsets: Option<OffsetsInForce>,
 }
 
 /// The lines that have set parts of the state: a wrong value is reported there.
@@ -409,6 +415,7 @@ impl Reading<'_> {
         comparison.stop_at_fault(&current);
         if !same_modes {
             comparison.captured_state(&current);
+            comparison.selected_tool(&current);
             comparison.right_state = None;
             comparison.previous.follow_frame(&comparison.rules, &comparison.setters.before, block);
             comparison.setters.follow(block, text);
@@ -450,6 +457,9 @@ impl Reading<'_> {
         if !same_modes {
             let state = &block.state;
             comparison.previous.tip_control = state.tip_control != TipControl::Off;
+            if block.own.is_some() || block.action == Action::ToolChange {
+                comparison.previous.offsets = Some(OffsetsInForce::of(state));
+            }
             comparison.previous.runs = state.spindle.flatten().is_some() || state.coolant.is_some_and(|on| on != 0);
         }
         comparison.compared = true;
@@ -496,8 +506,12 @@ impl Comparison<'_> {
             }
             _ => None,
         };
+        let arrives = phase.is_retracted() && matches!(next, Some(Phase::Cutting(_)));
         if let Some(next) = next {
             *phase = next;
+        }
+        if arrives {
+            self.functions.arrive(&block.state, &self.rules);
         }
         let entered = keep_out.and_then(|keep_out| keep_out.fault(&self.rules, &self.previous, block));
         self.found_any(current, entered);

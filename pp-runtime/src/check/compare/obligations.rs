@@ -165,6 +165,11 @@ impl Comparison<'_> {
                 self.found_any(current, fault);
             }
             Duty::ClampsOfCuts => {}
+            Duty::ClampsLeft | Duty::ClampsAtEnd => {
+                let parked = what == Duty::ClampsAtEnd;
+                let fault = self.functions.clamps_left(&current.block.state, &self.rules, parked);
+                self.found_any(current, fault);
+            }
             Duty::OperationEnded => self.ends_operation(current),
             Duty::ToolEnded => {
                 let missing = self.shop_lines.end_tool(match phase {
@@ -174,7 +179,10 @@ impl Comparison<'_> {
                 self.found_all(current, missing);
             }
             Duty::ProgramEnded => {
-                let fault = self.rules.fault_in_modes(&current.block.state);
+                // An operation without a motion has begun with its own.
+                let offsets = self.previous.offsets.filter(|_| self.duties.owes(Duty::CompleteState));
+                let register = self.progress.last().map(|last| last.register);
+                let fault = self.rules.fault_in_modes(&current.block.state, offsets, register);
                 self.found_state(current, fault);
                 let missing = self.shop_lines.end();
                 self.found_all(current, missing);
@@ -240,6 +248,8 @@ mod tests {
             | Duty::ApproachEnded
             | Duty::CutsEnded
             | Duty::ClampsOfCuts
+            | Duty::ClampsLeft
+            | Duty::ClampsAtEnd
             | Duty::CoolantStated
             | Duty::OffsetStated
             | Duty::SpindleStated
@@ -301,7 +311,7 @@ mod tests {
             let settled = !row.done.is_empty() || row.what == Duty::Parking;
             assert!(settled, "{:?} is never done", row.what);
             let asked = NEEDED.iter().any(|needed| needed.what == row.what);
-            assert!(asked || row.what == Duty::RetractAfterShopLine, "{:?} is needed nowhere", row.what);
+            assert!(asked, "{:?} is needed nowhere", row.what);
             assert_eq!(OWED.iter().filter(|other| other.what == row.what).count(), 1, "{:?}", row.what);
         }
         let retract = OWED.iter().find(|row| row.what == Duty::Retract).expect("the retract is owed");

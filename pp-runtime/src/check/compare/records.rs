@@ -4,7 +4,7 @@
 use std::io;
 
 use super::super::expect::{ExpectedAction, ExpectedItem};
-use super::super::read::{Action, Block, OwnPlace};
+use super::super::read::{Action, Block, OwnPlace, State};
 use super::super::rules::tool_name;
 use super::approach::FOR_APPROACH;
 use super::obligations::{Duty, DutyEvent, DutyPlace};
@@ -94,6 +94,7 @@ impl Comparison<'_> {
         }
         let of_shop = current.block.own.is_some();
         self.previous.has_changed = true;
+        self.previous.first_tool = self.previous.first_tool.or(tool);
         let required = self.tool_due();
         if required == tool {
             (self.previous.tool, self.previous.unsure_tool) = (tool, false);
@@ -108,7 +109,33 @@ impl Comparison<'_> {
             _ => {}
         }
         self.come_to(DutyPlace::ToolChange, Some(phase), current);
+        self.shop_lines.next_tool();
         Ok(self.forget(phase))
+    }
+
+    /// A tool that is selected by itself is the one that is changed next.
+    pub(super) fn selected_tool(&mut self, current: &Current<'_>) {
+        let (before, now) = (&self.setters.before, &current.block.state);
+        if now.selected == before.selected {
+            return;
+        }
+        let prepared = before.selected.filter(|_| self.previous.prepares && before.selected != before.tool);
+        if let Some((prepared, tool)) = prepared.zip(now.selected) {
+            self.found(current, &format!("T{prepared} was selected for the next tool change, and T{tool} comes"));
+        }
+        self.previous.prepares = current.block.own.is_none();
+    }
+
+    /// At the end code the tool that is selected is that in the spindle, or the first one, for the next part; or that of operations
+    /// that are not in the program.
+    fn selected_at_end(&mut self, current: &Current<'_>) {
+        let State { tool, selected, .. } = current.block.state;
+        let first = self.previous.first_tool.filter(|_| self.rules.policy().selection.is_none());
+        if let Some((selected, first)) = selected.filter(|_| self.previous.prepares && selected != tool).zip(first)
+            && selected != first
+        {
+            self.found(current, &format!("T{selected} is selected for the next tool change, expected T{first}"));
+        }
     }
 
     /// The tool that the next record of the CL data is carried out with; after the last one the tool that has been called last.
@@ -306,6 +333,7 @@ impl Comparison<'_> {
             _ => self.found(current, "this block is always executed (no `/`), without OPSKIP/OFF in the CL data here"),
         }
         self.come_to(DutyPlace::BlockSkip, Some(phase), current);
+        self.shop_lines.next_tool();
         self.previous.known &= current.block.known_before;
         // A complete state that may be skipped, or that came before, is none for what comes after.
         self.functions.restart();
@@ -333,6 +361,7 @@ impl Comparison<'_> {
             self.found(current, "the operator may skip the end code (`/`)");
         }
         self.come_to(DutyPlace::End, Some(phase), current);
+        self.selected_at_end(current);
         Ok(Phase::Ended)
     }
 

@@ -61,6 +61,11 @@ impl ShopLines {
             .then(|| "this line of the configuration comes once more than it has to".to_owned())
     }
 
+    /// A tool is changed, or blocks that may be skipped begin or end.
+    pub(super) fn next_tool(&mut self) {
+        self.lines.next_tool();
+    }
+
     /// Whether a line of the program is one of the configuration.
     pub(super) fn has(&mut self, text: &[u8]) -> bool {
         self.lines.has(text)

@@ -118,7 +118,10 @@ impl Comparison<'_> {
         let fault = |required| self.rules.fault_at_park(current.block, required, context);
         // The work offset is that of the operation before, or of the one after a restart point.
         let next = self.progress.next().map(|item| &*item.required);
-        let found = fault(self.progress.last()).filter(|_| next.is_none_or(|next| fault(Some(next)).is_some()));
+        let found = match (self.progress.last(), next) {
+            (Some(last), Some(next)) => fault(Some(last)).filter(|_| fault(Some(next)).is_some()),
+            (one, other) => fault(one.or(other)),
+        };
         self.found_state(current, found);
     }
 

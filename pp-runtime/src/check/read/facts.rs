@@ -104,17 +104,27 @@ const fn left(bit: u32, what: &'static str, code: &'static str, of: FunctionOf) 
 
 const SIDE: LeftOver = left(settled::SIDE, "cutter compensation", "G40", FunctionOf::Every);
 const LENGTH: LeftOver = left(settled::LENGTH, "length compensation", "G49", FunctionOf::Every);
+const DISTANCES: LeftOver = left(settled::DISTANCES, "incremental words (G91)", "G90", FunctionOf::Every);
+const WORKING_PLANE: LeftOver =
+    left(settled::WORKING_PLANE, "another working plane (G18, G19)", "G17", FunctionOf::Every);
+const FEED_MODE: LeftOver = left(settled::FEED_MODE, "another feed mode (G93, G95)", "G94", FunctionOf::Every);
 const SCALING: LeftOver = left(settled::SCALING, "scaling", "G50", FunctionOf::Listed("scaling"));
 
 /// What must be ended on each control.
 const LINUXCNC_LEFT: &[LeftOver] = &[
     SIDE,
+    DISTANCES,
+    WORKING_PLANE,
+    FEED_MODE,
     LENGTH,
     left(settled::DIAMETER, "X as a diameter (G7)", "G8", FunctionOf::Every),
     left(settled::CUTTING_SPEED, "S as a cutting speed (G96)", "G97", FunctionOf::Every),
 ];
 const FANUC_LEFT: &[LeftOver] = &[
     SIDE,
+    DISTANCES,
+    WORKING_PLANE,
+    FEED_MODE,
     LENGTH,
     SCALING,
     left(settled::PLANE, "a tilted plane", "G69", FunctionOf::Listed("planes")),
@@ -130,6 +140,9 @@ const FANUC_LEFT: &[LeftOver] = &[
 ];
 const HAAS_LEFT: &[LeftOver] = &[
     SIDE,
+    DISTANCES,
+    WORKING_PLANE,
+    FEED_MODE,
     LENGTH,
     SCALING,
     left(settled::PLANE, "a tilted plane", "G269", FunctionOf::Listed("planes")),
@@ -139,6 +152,9 @@ const HAAS_LEFT: &[LeftOver] = &[
 ];
 const SIEMENS_LEFT: &[LeftOver] = &[
     SIDE,
+    DISTANCES,
+    WORKING_PLANE,
+    FEED_MODE,
     left(settled::PATH, "exact stop or smoothed corners", "G64", FunctionOf::Every),
     left(settled::TIP_CONTROL, "a transformation", "TRAFOOF", FunctionOf::Usual("tip_control")),
     left(settled::PLANE, "a tilted plane", "CYCLE800()", FunctionOf::Usual("planes")),

@@ -227,6 +227,9 @@ impl Mode {
             Self::Tilt(TiltCode::Off | TiltCode::Zero | TiltCode::On { .. }) => settled::PLANE,
             Self::Smoothing(..) => settled::SMOOTHING,
             Self::Path(_) => settled::PATH,
+            Self::Incremental(_) => settled::DISTANCES,
+            Self::Plane(_) => settled::WORKING_PLANE,
+            Self::FeedMode(_) => settled::FEED_MODE,
             Self::Settles(bits) => *bits,
             _ => 0,
         }

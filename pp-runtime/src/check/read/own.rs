@@ -393,6 +393,8 @@ pub(crate) struct PlacedLines {
     lines: Vec<PlacedLine>,
     facts: Facts,
     bare: Bare,
+    /// How often work of a tool has begun or ended: at its change, and where blocks that may be skipped begin and end.
+    tools: usize,
 }
 
 #[derive(Clone)]
@@ -437,20 +439,28 @@ impl PlacedLines {
             times: 0,
         };
         let lines = placed.map(line).collect();
-        Self { lines, facts, bare: Bare::default() }
+        Self { lines, facts, bare: Bare::default(), tools: 0 }
     }
 
-    /// Whether a line that the program has taken has come more often than the configuration has it. Lines of safety, of tools and of
-    /// their changes may come again.
+    /// Whether a line that the program has taken has come more often than the configuration has it. Lines of safety may come again.
     pub(crate) fn comes_too_often(&mut self, line: &[u8]) -> bool {
         self.bare.forget();
         let text = self.bare.text(line, &self.facts);
-        let once = |place: OwnPlace| {
-            matches!(place, OwnPlace::Start | OwnPlace::End | OwnPlace::OperationStart | OwnPlace::OperationEnd)
+        let of_place = |place: OwnPlace| match place {
+            OwnPlace::Start | OwnPlace::End | OwnPlace::OperationStart | OwnPlace::OperationEnd => Some(1),
+            // After the change, and before the next one.
+            OwnPlace::MeasureTool | OwnPlace::ToolStart { .. } => Some(self.tools.max(1)),
+            OwnPlace::ToolChange | OwnPlace::CheckTool | OwnPlace::ToolEnd { .. } => Some(self.tools + 1),
+            _ => None,
         };
         let of_text = || self.lines.iter().filter(|own| matches(&own.text, text));
-        let too_often = |own: &PlacedLine| once(own.place) && !own.common && own.times > of_text().count();
-        of_text().all(too_often) && of_text().count() > 0
+        let most: Option<usize> = of_text().map(|own| of_place(own.place).filter(|_| !own.common)).sum();
+        of_text().next().zip(most).is_some_and(|(own, most)| own.times > most)
+    }
+
+    /// The work of a tool begins or ends.
+    pub(crate) fn next_tool(&mut self) {
+        self.tools += 1;
     }
 
     /// Takes a line of the program that comes with this tool in the spindle. Returns whether it is one of other tools alone.
@@ -485,6 +495,7 @@ impl PlacedLines {
     /// From now on none has come.
     pub(crate) fn forget(&mut self) {
         self.lines.iter_mut().for_each(|own| own.times = 0);
+        self.tools = 0;
     }
 
     /// Those of the needed places that have not come. A text that is needed several times must come as often.

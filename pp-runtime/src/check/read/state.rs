@@ -217,7 +217,7 @@ pub mod stated {
 }
 
 /// What a program before may have left in force, and the code that ends it: bits of what the program has settled since its last
-/// cut before the complete state.
+/// motion before the complete state.
 pub(in crate::check) mod settled {
     /// Cutter compensation.
     pub(crate) const SIDE: u32 = 1;
@@ -247,6 +247,12 @@ pub(in crate::check) mod settled {
     pub(crate) const SMOOTHING: u32 = 4096;
     /// Motion from block to block.
     pub(crate) const PATH: u32 = 8192;
+    /// Words are distances.
+    pub(crate) const DISTANCES: u32 = 16384;
+    /// Plane of arcs and cycles.
+    pub(crate) const WORKING_PLANE: u32 = 32768;
+    /// What F means.
+    pub(crate) const FEED_MODE: u32 = 65536;
 }
 
 /// What is in force; `None` where the program has not said it.

@@ -27,7 +27,7 @@ pub(super) use arc::ArcWords;
 pub(super) use feed::{FeedLaw, Stroke};
 use fit::FastestStep;
 pub(super) use fit::{Arrival, BlockPath, Deviation, DeviationBound, chord, sweep};
-pub(super) use state::{FrameUse, ModalContext, StateFault, StateItem, fault_at_end, tool_name};
+pub(super) use state::{FrameUse, ModalContext, OffsetsInForce, StateFault, StateItem, fault_at_end, tool_name};
 pub(super) use words::Words;
 
 /// Allowance for rounded words.

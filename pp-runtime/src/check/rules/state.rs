@@ -5,7 +5,8 @@ use std::fmt::Display;
 use super::super::expect::{Required, SpindleState};
 use super::super::policy::{CheckPolicy, LinearMeaning, RolloverRule};
 use super::super::read::{
-    Action, Block, Facts, FeedMode, Form, LeftOver, Length, Side, State, TipControl, WorkOffset, WorkPlane, settled,
+    Action, Block, Facts, FeedMode, Form, LeftOver, Length, Side, Smoothing, State, TipControl, WorkOffset, WorkPlane,
+    settled,
 };
 use super::{Rules, apart};
 use crate::check::tolerances::{ROUNDED_SPEED, ROUNDED_WORD};
@@ -45,6 +46,37 @@ impl StateItem {
             Self::Spindle => one.spindle != other.spindle,
             Self::Speed => one.speed != other.speed,
         }
+    }
+}
+
+/// Work offset and length compensation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct OffsetsInForce {
+    work_offset: Option<WorkOffset>,
+    length: Option<Length>,
+}
+
+impl OffsetsInForce {
+    /// Those of a state; tip control may have cancelled the work offset.
+    pub(crate) fn of(state: &State) -> Self {
+        Self { work_offset: state.work_offset.or(state.cancelled_offset), length: state.length }
+    }
+
+    /// What is wrong where others are in force although nothing moves any more; compensation may be switched off, or as `called`.
+    fn changed(self, now: Self, called: Option<Length>) -> Option<StateFault> {
+        if let Some((before, now)) = self.work_offset.zip(now.work_offset)
+            && before != now
+        {
+            let text =
+                format!("the program ends with work offset {now}, and {before} was in force at its last retract");
+            return Some(StateFault::from(text).set_by(StateItem::WorkOffset, true));
+        }
+        let Some(Length::Register(register)) = now.length.filter(|_| now.length != self.length && now.length != called)
+        else {
+            return None;
+        };
+        let text = format!("the program ends with length compensation by register {register}");
+        Some(StateFault::from(text).set_by(StateItem::Length, true))
     }
 }
 
@@ -171,11 +203,31 @@ impl Rules<'_> {
         }
     }
 
-    /// At the end code: the modes in which the next program, or the operator, finds the control.
-    pub(crate) fn fault_in_modes(&self, state: &State) -> Option<StateFault> {
+    /// At the end code: the modes in which the next program, or the operator, finds the control. `offsets`: those before it that are
+    /// right; `register`: that of the last motion.
+    pub(crate) fn fault_in_modes(
+        &self,
+        state: &State,
+        offsets: Option<OffsetsInForce>,
+        register: Option<u32>,
+    ) -> Option<StateFault> {
+        // Where a call moves nothing, the length is in force again after the retract.
+        let called = register.filter(|_| !self.facts.length_moves).map(Length::Register);
         self.everywhere(state, Side::None, ModalContext::default())
             .or_else(|| inverse_time(state))
+            .or_else(|| {
+                (state.tip_control != TipControl::Off).then(|| "tip control is still on at the end code".to_owned())
+            })
+            .or_else(|| (state.smoothing != Smoothing::Off).then(|| "smoothing is still on at the end code".to_owned()))
             .map(StateFault::from)
+            .or_else(|| offsets?.changed(OffsetsInForce::of(state), called))
+    }
+
+    /// In the machine retract after a motion: its work offset is still in force.
+    pub(crate) fn fault_after_motion(&self, state: &State, last: &Required) -> Option<StateFault> {
+        // One that tip control may have cancelled may be in force as well.
+        let work_offset = state.work_offset.or(state.cancelled_offset);
+        self.offsets(&State { work_offset, ..*state }, last, false)
     }
 
     /// At a position of the machine; `tilts`: the frame of a plane may still be in force; `spindle_on`: the state in which the spindle

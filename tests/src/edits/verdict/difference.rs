@@ -93,7 +93,8 @@ pub(super) fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> O
         ]),
         (Effect::ToolChange(one), Effect::ToolChange(other)) => hard(one != other, "the tool"),
         (Effect::Shop(one), Effect::Shop(other)) => hard(one != other, "the code of the shop"),
-        (Effect::Stop | Effect::OptionalStop | Effect::End | Effect::OffsetGuard, _) => None,
+        (Effect::End, _) => left_at_end(old, new),
+        (Effect::Stop | Effect::OptionalStop | Effect::OffsetGuard, _) => None,
         _ => worst([
             effect_difference((one, old), (other, new), allowed),
             moved(was, is, allowed),
@@ -101,7 +102,29 @@ pub(super) fn difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed) -> O
             state_difference(was, is, allowed),
         ]),
     };
-    worst([own, preselected, shop_difference(was, is, allowed), other_state(was, is)])
+    let skipped = hard(was.block.skippable != is.block.skippable, "a block that may be skipped");
+    worst([own, preselected, skipped, shop_difference(was, is, allowed), other_state(was, is)])
+}
+
+/// Differences of what the next program, or the operator, finds.
+fn left_at_end(old: &State, new: &State) -> Option<Difference> {
+    let register = |state: &State| match state.length {
+        Some(Length::Off) | None => None,
+        length => length,
+    };
+    let on = |state: &State| state.smoothing.is_some_and(|levels| levels.iter().any(Option::is_some));
+    worst([
+        hard(old.units != new.units, "the unit at the end"),
+        hard(old.plane != new.plane, "the working plane at the end"),
+        hard(old.distance != new.distance, "distances at the end"),
+        hard(old.feed_mode != new.feed_mode, "the feed mode at the end"),
+        hard(side(old) != side(new), "the compensation at the end"),
+        hard(old.work_offset != new.work_offset, "the work offset at the end"),
+        hard(register(old).is_none() && register(new).is_some(), "a length at the end"),
+        hard(old.under_tip_control() != new.under_tip_control(), "tip control at the end"),
+        hard(on(old) != on(new), "smoothing at the end"),
+        soft(old != new, "the state at the end"),
+    ])
 }
 
 /// Whether rotary words are the same apart from whole turns.

@@ -75,6 +75,10 @@ pub fn verdict(original: &Trace, edited: &Result<Trace, Refused>, allowed: Allow
             None => {}
         }
     }
+    let skippable = |trace: &Trace| trace.blocks.iter().map(|block| block.skippable).collect::<Vec<_>>();
+    if skippable(original) != skippable(edited) {
+        soft = soft.or_else(|| Some("a block without effect that may be skipped".to_owned()));
+    }
     if edited.blank != original.blank {
         soft = soft.or_else(|| Some("the blank of the graphics".to_owned()));
     }

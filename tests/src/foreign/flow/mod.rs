@@ -68,7 +68,10 @@ impl Flow {
         variables.begin(BTreeMap::new());
         let mut lines = statement::lines(control, joined, &mut variables);
         // Calls of the shop's own programs.
-        for line in lines.iter_mut().filter(|line| idle.iter().any(|idle| line.code == idle.replace(" ", ""))) {
+        for line in lines
+            .iter_mut()
+            .filter(|line| idle.iter().any(|idle| line.code.eq_ignore_ascii_case(&idle.replace(" ", ""))))
+        {
             line.statement = Statement::Block;
         }
         let mut flow =

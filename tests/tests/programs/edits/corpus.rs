@@ -24,12 +24,55 @@ const OPTIONS: &[&str] = &[
     "output_units = \"in\"\nlength_guard = true\n",
 ];
 
+/// Two tools that are measured and checked for breakage, with blocks that may be skipped.
+const SHOP_CL: &str = "UNITS/MM\nTOOL PATH/FACE,TOOL,T1\nLOADTL/1\nSPINDL/RPM,5000,CLW\nCOOLNT/ON\nRAPID\nGOTO/0,0,50,0,0,1\n\
+                       FEDRAT/MMPM,300\nGOTO/0,0,-2\nGOTO/30,0,-2\nRAPID\nGOTO/30,0,50\nTOOL PATH/SIDE,TOOL,T2\nLOADTL/2\n\
+                       SPINDL/RPM,3000,CLW\nCOOLNT/ON\nRAPID\nGOTO/10,5,60,0,0.6,0.8\nFEDRAT/MMPM,400\nGOTO/10,5,-1,0,0.6,0.8\n\
+                       GOTO/25,5,-1,0,0.6,0.8\nGOTO/25,15,-1,0,0,1\nRAPID\nGOTO/25,15,50\nSTOP\nTOOL PATH/AGAIN,TOOL,T2\n\
+                       RAPID\nGOTO/0,10,50\nGOTO/0,10,-1\nGOTO/20,10,-1\nRAPID\nGOTO/20,10,50\nOPSKIP/ON\n\
+                       TOOL PATH/SKIPPED,TOOL,T2\nRAPID\nGOTO/0,20,50\nFEDRAT/MMPM,400\nGOTO/0,20,-1\nGOTO/10,20,-1\nRAPID\n\
+                       GOTO/10,20,50\nOPSKIP/OFF\nEND-OF-PATH\nFINI\n";
+
+/// Keys of a shop, but for the lines that measure.
+const SHOP_KEYS: &str = "part_origin = [0.0, 0.0, 80.0]\ntcp_frame = \"table_at_zero\"\npark = { C = 0.0, Y = 220.0 }\n\
+                         optional_stops = \"tool_changes\"\n[retract]\ndistance = 60.0\n\
+                         tool_change_position = { X = 0.0, Y = 250.0 }\nhome_on_indexing = true\nxy = { X = 5.0, Y = 6.0 }\n\
+                         [clamp]\nB = { on = \"M10\", off = \"M11\" }\nC = { on = \"M68\", off = \"M69\" }\n[tools]\n\
+                         1 = { length = 120.0, measured = true, checked = true, start = [\"M131\"], end = [\"M133\"] }\n\
+                         2 = { length = 95.0, checked = true }\n[program]\nstart = [\"M77\"]\noperation_start = [\"M78\"]\n\
+                         [control]\neffects = { M77=\"none\", M131=\"none\", M133=\"none\", M78=\"none\" }\n";
+
+/// Codes and blocks of that shop.
+const SHOP_BLOCKS: [&str; 20] = [
+    "M10",
+    "M11",
+    "M68",
+    "M69",
+    "M77",
+    "M78",
+    "M131",
+    "M133",
+    "G65 P9023 A12. T1 H1",
+    "G65 P9023 A22. T1",
+    "G65 P9023 A22. T2",
+    "L9023(1,1)",
+    "L9023(1,2)",
+    "L9023(2,2)",
+    "o<measure> call [1]",
+    "o<check> call [1]",
+    "o<check> call [2]",
+    "TCH PROBE 481 Q340=+1",
+    "TCH PROBE 483 Q340=+1",
+    "TCH PROBE 483 Q340=+2",
+];
+
 /// Every program; the seed chooses the random ones.
 pub(crate) fn programs(seed: u64) -> Vec<Posted> {
     let edits = environment::number("PP_EDITS").unwrap_or(0) as usize;
     let mut programs = Vec::new();
     golden(&mut programs);
     with_options(&mut programs);
+    of_shop(&mut programs);
     random(&mut programs, RANDOM_PROGRAMS.max(edits / 20).min(600), seed << 32);
     programs
 }
@@ -80,6 +123,42 @@ fn with_options(programs: &mut Vec<Posted>) {
                         Err(why) if environment::number("PP_EDITS").is_some() => println!("{}: {why}", golden.name),
                         Err(_) => {}
                     }
+                }
+            }
+        }
+    }
+}
+
+/// The part of a shop that measures its tools.
+fn of_shop(programs: &mut Vec<Posted>) {
+    for machine in ["spinner-u5-620", "dmu-70e"] {
+        for control in Control::ALL.map(Control::name) {
+            let [measure, check] = match control {
+                "linuxcnc" => ["o<measure> call [{tool}]", "o<check> call [{tool}]"],
+                "siemens" => ["L9023({tool},1)", "L9023({tool},2)"],
+                "heidenhain" => ["TCH PROBE 481 Q340=+{tool}", "TCH PROBE 483 Q340=+{tool}"],
+                _ => ["G65 P9023 A12. T{tool} H{offset}", "G65 P9023 A22. T{tool}"],
+            };
+            let cycles = format!(
+                "[cycles]\nmeasure_tool = ['{measure}']\ncheck_tool = ['{check}']\ntool_position = {{ B = 0.0, C = 0.0 }}\n"
+            );
+            let config = merged(SHOP_KEYS, &cycles);
+            for mode in [Mode::Axes, Mode::Tcp, Mode::Plane] {
+                let name = format!("shop, {machine} {control} {}", mode.name());
+                let case = Case {
+                    name: &name,
+                    machine,
+                    control,
+                    mode,
+                    operations: None,
+                    config: &config,
+                    cl: SHOP_CL.as_bytes(),
+                    idle: &SHOP_BLOCKS,
+                };
+                match Posted::of(&case) {
+                    Ok(posted) => programs.push(posted),
+                    Err(why) if environment::number("PP_EDITS").is_some() => println!("{name}: {why}"),
+                    Err(_) => {}
                 }
             }
         }

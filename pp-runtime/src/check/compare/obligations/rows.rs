@@ -84,6 +84,8 @@ pub(in crate::check) enum Duty {
     ApproachEnded,
     CutsEnded,
     ClampsOfCuts,
+    ClampsLeft,
+    ClampsAtEnd,
     OperationEnded,
     ToolEnded,
     ProgramEnded,
@@ -200,7 +202,7 @@ pub(super) const OWED: [Owed; 14] = [
 
 /// What must be so at each place.
 #[rustfmt::skip]
-pub(in crate::check) const NEEDED: [Needed; 64] = [
+pub(in crate::check) const NEEDED: [Needed; 69] = [
     needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
     needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
@@ -210,6 +212,7 @@ pub(in crate::check) const NEEDED: [Needed; 64] = [
     needed(DutyPlace::ToolChange, Duty::AtChangePosition, always, ""),
     needed(DutyPlace::ToolChange, Duty::ApproachEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::RotationAfterHome, always, NEEDLESS_HOME),
+    needed(DutyPlace::ToolChange, Duty::ClampsLeft, always, ""),
     needed(DutyPlace::ToolChange, Duty::CutsEnded, always, ""),
 
     needed(DutyPlace::Stop, Duty::OperationEnded, always, ""),
@@ -220,6 +223,7 @@ pub(in crate::check) const NEEDED: [Needed; 64] = [
     needed(DutyPlace::Stop, Duty::StateAtEnd, stops_retracted, ""),
     needed(DutyPlace::Stop, Duty::ApproachEnded, always, ""),
     needed(DutyPlace::Stop, Duty::RotationAfterHome, always, NEEDLESS_HOME),
+    needed(DutyPlace::Stop, Duty::ClampsLeft, always, ""),
     needed(DutyPlace::Stop, Duty::StopInTime, always, "the stop comes after the restart point before which the CL data has it"),
 
     needed(DutyPlace::Copied, Duty::OperationEnded, always, ""),
@@ -234,12 +238,14 @@ pub(in crate::check) const NEEDED: [Needed; 64] = [
     needed(DutyPlace::BlockSkip, Duty::Parking, always, ""),
     needed(DutyPlace::BlockSkip, Duty::ApproachEnded, always, ""),
     needed(DutyPlace::BlockSkip, Duty::Away, always, "blocks that may be skipped begin and end with the machine retracted: expected the retract before this block"),
+    needed(DutyPlace::BlockSkip, Duty::RetractAfterShopLine, always, "blocks that may be skipped begin and end with the machine retracted: expected the retract after the line of the shop before this block"),
     needed(DutyPlace::BlockSkip, Duty::ClampsOfCuts, always, ""),
     needed(DutyPlace::BlockSkip, Duty::SpindleAndCoolantOff, always, "blocks that may be skipped begin and end with spindle and coolant off: one of them is on before this block"),
 
     needed(DutyPlace::Standstill, Duty::Retracted, always, "a clamp, a chuck, a door or a pallet moves here: expected the machine retract before this block"),
     needed(DutyPlace::Standstill, Duty::SpindleStopped, always, "a clamp, a chuck, a door or a pallet moves here: the spindle is not known to be off"),
 
+    needed(DutyPlace::Measuring, Duty::ClampsLeft, always, ""),
     needed(DutyPlace::Measuring, Duty::Retract, always, "the machine has not retracted before the tool is measured or checked for breakage"),
 
     needed(DutyPlace::RetractOfStart, Duty::Parking, always, ""),
@@ -278,6 +284,7 @@ pub(in crate::check) const NEEDED: [Needed; 64] = [
     needed(DutyPlace::End, Duty::RotationAfterHome, always, NEEDLESS_HOME),
     needed(DutyPlace::End, Duty::CutsEnded, always, ""),
     needed(DutyPlace::End, Duty::ParkingAtEnd, always, ""),
+    needed(DutyPlace::End, Duty::ClampsAtEnd, always, ""),
 ];
 
 const NEEDLESS_HOME: &str =

@@ -352,10 +352,10 @@ impl Interpreter {
         block.state = self.state;
     }
 
-    /// After a motion in the program, what was settled before it is no part of a complete state to come.
+    /// After a motion, what was settled before it is no part of a complete state to come.
     #[inline]
     fn note_motion(&mut self, action: &Action) {
-        if action.moves() && !action.leaves_words() {
+        if action.moves() {
             self.settled = 0;
         }
     }
@@ -486,6 +486,7 @@ impl Interpreter {
     fn lose_modes(&mut self) {
         let state = &mut self.state;
         (state.work_offset, state.cancelled_offset, state.side, state.feed) = (None, None, None, None);
+        (state.in_plane, state.in_workpiece, state.path_mode) = (None, None, None);
         // Words of a program in statements have the unit of its first line, and each its own I.
         if self.facts.form != Form::Statements {
             (state.units, state.incremental, state.plane, state.feed_mode) = (None, None, None, None);

@@ -1,0 +1,141 @@
+//! Restart points, ends, and the lines of the shop between two cuts.
+
+use super::*;
+
+/// Two operations of two tools.
+const TWO_TOOLS: &str = "UNITS/MM\nTOOL PATH/FIRST,TOOL,T1\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,0,50\n\
+                         GOTO/0,0,0\nGOTO/20,0,0\nGOTO/20,0,50\nTOOL PATH/SECOND,TOOL,T2\nLOADTL/2\nSPINDL/RPM,1000,CLW\nRAPID\n\
+                         GOTO/0,9,50\nGOTO/0,9,2\nGOTO/20,9,2\nGOTO/20,9,50\n";
+
+const ISO: [&str; 4] = ["linuxcnc", "fanuc", "haas", "siemens"];
+
+/// The block that begins the second operation.
+fn restart(program: &str) -> &str {
+    let start = program.find("\nN2 ").expect("the second operation") + 1;
+    let modes = program[start..].find("G17").expect("a working plane") + start;
+    let line = program[..modes].rfind('\n').expect("a line") + 1;
+    program[line..].lines().next().expect("a block")
+}
+
+#[test]
+fn a_mode_that_only_the_blocks_before_a_restart_point_have_is_found() {
+    let set_up = "retract.distance = 20\n";
+    for control in ISO {
+        let program = posted_right::<Mill>(control, Mode::Axes, set_up, TWO_TOOLS);
+        let line = restart(&program);
+        for mode in [" G17", " G90", " G94", " G40"] {
+            let without = line.replace(mode, "");
+            assert_ne!(without, line, "{control}: {mode}");
+            let place = program.rfind(line).expect("the block");
+            let edited = format!("{}{without}{}", &program[..place], &program[place + line.len()..]);
+            let found = again::<Mill>(control, Mode::Axes, set_up, TWO_TOOLS, &edited);
+            assert!(
+                found.iter().any(|text| text.contains("at the restart point of this operation")),
+                "{found:?}\n{edited}"
+            );
+        }
+    }
+}
+
+/// Lines for the tools, and rotary axes that go to a position for them.
+const OF_TOOLS: &str = "retract.distance = 20\ncycles.measure_tool = [\"G65 P9023 A12. T{tool} H{offset}\"]\n\
+                        cycles.check_tool = [\"G65 P9023 A22. T{tool}\"]\ncycles.tool_position = { A = 0.0 }\n\
+                        tools = { 1 = { length = 120.0, measured = true, checked = true, start = [\"M131\"], end = [\"M133\"] }, \
+                        2 = { length = 95.0, measured = true, checked = true } }\n\
+                        control.effects = { M131 = \"none\", M133 = \"none\" }\n";
+
+#[test]
+fn a_line_for_a_tool_that_comes_twice_is_found() {
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, TWO_TOOLS);
+    for line in [
+        "G65 P9023 A12. T1 H1\n",
+        "G65 P9023 A22. T1\n",
+        "G65 P9023 A12. T2 H2\n",
+        "G65 P9023 A22. T2\n",
+        "M131\n",
+        "M133\n",
+    ] {
+        let twice = program.replace(line, &line.repeat(2));
+        assert_ne!(twice, program, "{line}");
+        let found = again::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, TWO_TOOLS, &twice);
+        assert!(found.iter().any(|text| text.contains("once more than it has to")), "{line}: {found:?}\n{twice}");
+    }
+}
+
+#[test]
+fn the_axes_go_to_the_position_for_measuring_under_the_work_offset() {
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, TWO_TOOLS);
+    for offset in ["", " G55"] {
+        let edited = program.replacen(" G54\n", &format!("{offset}\n"), 1);
+        let found = again::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, TWO_TOOLS, &edited);
+        assert!(found.iter().any(|text| text.contains("work offset is")), "{found:?}\n{edited}");
+    }
+}
+
+#[test]
+fn the_machine_retracts_after_a_line_of_the_shop_before_blocks_that_may_be_skipped() {
+    let data = TWO_TOOLS.replace("TOOL PATH/SECOND", "OPSKIP/ON\nTOOL PATH/SECOND");
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, &data);
+    let skip = program.find("\n/").expect("a block that may be skipped");
+    let retract = program[..skip].rfind('\n').expect("the retract before it") + 1;
+    let edited = format!("{}/{}", &program[..retract], &program[retract..]);
+    let found = again::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, &data, &edited);
+    assert!(found.iter().any(|text| text.contains("retract after the line of the shop")), "{found:?}\n{edited}");
+}
+
+#[test]
+fn the_tool_that_is_selected_is_the_next_one() {
+    let set_up = "retract.distance = 20\n";
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, set_up, TWO_TOOLS);
+    for (right, wrong) in [("T1 M6\nT2\n", "T1 M6\nT3\n"), ("T2 M6\nT1\n", "T2 M6\nT3\n")] {
+        assert!(program.contains(right), "{program}");
+        let found = again::<Mill>("fanuc", Mode::Axes, set_up, TWO_TOOLS, &program.replace(right, wrong));
+        assert!(found.iter().any(|text| text.contains("T3 ") && text.contains("selected")), "{found:?}");
+    }
+}
+
+#[test]
+fn clamps_are_at_the_end_as_the_program_leaves_them() {
+    let set_up = "retract.distance = 20\npark = { A = 0.0 }\nclamp = { A = { on = \"M10\", off = \"M11\" } }\n";
+    let data = "UNITS/MM\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,0,50,0,0.6,0.8\nGOTO/0,0,0,0,0.6,0.8\n\
+                GOTO/20,0,0,0,0.6,0.8\n";
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, set_up, data);
+    let end = program.rfind("M10\n").expect("the clamp after the last rotation");
+    assert!(
+        program[..end].rfind("A0.").is_some_and(|parked| parked > program.find("G1 ").unwrap_or_default()),
+        "{program}"
+    );
+    let approach = program.find("M10\n").expect("the clamp of the approach");
+    for (place, codes) in [(end, ""), (end, "M10\nM11\n"), (approach, "")] {
+        let edited = format!("{}{codes}{}", &program[..place], &program[place + 4..]);
+        let found = again::<OneTable>("fanuc", Mode::Axes, set_up, data, &edited);
+        assert!(found.iter().any(|text| text.contains("clamp")), "{found:?}\n{edited}");
+    }
+    // It is released in the stretch before the last rapid, in which the axis does not rotate.
+    let last = program.rfind("\nG0 Z").expect("the retract") + 1;
+    let edited = format!("{}M11\n{}", &program[..last], &program[last..]);
+    assert_told::<OneTable>("fanuc", Mode::Axes, set_up, data, &edited);
+    // Without a position for parking nothing rotates at the end.
+    let set_up = set_up.replace("park = { A = 0.0 }\n", "");
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, &set_up, data);
+    let found = again::<OneTable>("fanuc", Mode::Axes, &set_up, data, &program.replace("M30\n", "M11\nM30\n"));
+    assert!(found.iter().any(|text| text.contains("has been switched since the machine retract")), "{found:?}");
+}
+
+#[test]
+fn an_offset_or_a_function_that_is_left_at_the_end_is_found() {
+    let set_up = "retract.distance = 20\ntcp_frame = \"table_at_zero\"\n";
+    for (control, end, codes) in [
+        ("fanuc", "M30", &["G55", "G43 H1", "G41 D1", "G05.1 Q1", "G43.4 H2"][..]),
+        ("haas", "M30", &["G55", "G43 H1", "G41 D1", "G187 P3 E0.01", "G234 H2"]),
+        ("siemens", "M30", &["G55", "D2", "TRAORI", "CYCLE832(0.01,1,1)"]),
+        ("linuxcnc", "M2", &["G55", "G43 H1", "G41.1 D5"]),
+    ] {
+        let program = posted_right::<OneTable>(control, Mode::Axes, set_up, TWO_TOOLS);
+        for code in codes {
+            let left = program.replace(&format!("{end}\n"), &format!("{code}\n{end}\n"));
+            assert_ne!(left, program);
+            assert_told::<OneTable>(control, Mode::Axes, set_up, TWO_TOOLS, &left);
+        }
+    }
+}
