@@ -182,6 +182,7 @@ pub fn run(text: &str, options: &Options) -> Result<Trace, Refused> {
         numbered(&joined)?;
     }
     let mut flow = Flow::new(options.control, options.untidy, &options.idle, joined);
+    let mut last_line = 0;
     loop {
         let next = flow.line(run.guards.is_open()).map_err(|(line, why)| Refused { line, why })?;
         let Some((line, text)) = next else { break };
@@ -189,6 +190,11 @@ pub fn run(text: &str, options: &Options) -> Result<Trace, Refused> {
         if !reached && options.entry.is_some_and(|entry| line >= entry.line) {
             flow.forget();
         }
+        let skippable = [last_line, line].map(|line| run.skippable.contains(&line));
+        if run.guards.is_open() && skippable[0] != skippable[1] {
+            return Err(Refused { line, why: format!("a part of a guard may be skipped: {text}") });
+        }
+        last_line = line;
         run.line(line, &text).map_err(|why| Refused { line, why: format!("{why}: {text}") })?;
         if ended == Ended::No && run.ended == Ended::Code {
             flow.end();

@@ -448,6 +448,9 @@ impl Comparison<'_> {
         let fault = self.rules.fault_at_park(block, self.progress.last(), ModalContext::default());
         self.found_state(current, fault);
         self.parks_at_end(current);
+        if self.parked != 0 && self.rules.policy().links.home_mm.is_none() {
+            self.found(current, "the rotary axes are parked after linear axes");
+        }
         retracted.parks = true;
         let turned = self.rules.moved(&self.previous.words, self.previous.known, block) != 0;
         self.home_before_rotation(retracted, turned, current);

@@ -181,8 +181,11 @@ impl Comparison<'_> {
             let other = matches!(block.action, Action::Arc(_)) || (block.action.is_rapid() && !rapid);
             let leads_away = std::mem::take(&mut leads_away);
             let needless = !leads_away && self.rules.needs_no_block(&part.segment, here, chords);
-            // A block that continues from the end of a motion belongs to a later one, and so does one with another feed.
-            let belongs = || self.rules.is_at(end, &part.segment.to) && self.has_feed_of(here, (block, end), &part);
+            // A block that continues from the end of a motion belongs to a later one, and so does one with another feed or state.
+            let has_state = || self.rules.fault_in_cut(block, &part.required, self.modal_context()).is_none();
+            let belongs = || {
+                self.rules.is_at(end, &part.segment.to) && self.has_feed_of(here, (block, end), &part) && has_state()
+            };
             if needless && (other || !belongs()) {
                 self.progress.pass();
                 continue;

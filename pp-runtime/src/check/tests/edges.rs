@@ -139,3 +139,16 @@ fn an_offset_or_a_function_that_is_left_at_the_end_is_found() {
         }
     }
 }
+
+#[test]
+fn the_rotary_axes_are_parked_first() {
+    let set_up = "retract.distance = 20\npark = { A = 0.0, Y = 50.0 }\n";
+    let data = "UNITS/MM\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,0,50,0,0.6,0.8\nGOTO/0,0,0,0,0.6,0.8\n\
+                GOTO/20,0,0,0,0.6,0.8\n";
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, set_up, data);
+    let parks = "G0 A0.\nG53 G0 Y50.\n";
+    assert!(program.contains(parks), "{program}");
+    let edited = program.replace(parks, "G53 G0 Y50.\nG0 A0.\n");
+    let found = again::<OneTable>("fanuc", Mode::Axes, set_up, data, &edited);
+    assert!(found.iter().any(|text| text.contains("parked after linear axes")), "{found:?}");
+}

@@ -112,7 +112,11 @@ fn left_at_end(old: &State, new: &State) -> Option<Difference> {
         Some(Length::Off) | None => None,
         length => length,
     };
-    let on = |state: &State| state.smoothing.is_some_and(|levels| levels.iter().any(Option::is_some));
+    let on = |state: &State| {
+        state
+            .smoothing
+            .is_some_and(|numbers| numbers[0] != Some(0.0) && numbers.iter().flatten().any(|number| *number > 0.0))
+    };
     worst([
         hard(old.units != new.units, "the unit at the end"),
         hard(old.plane != new.plane, "the working plane at the end"),

@@ -181,10 +181,11 @@ fn is_way_out_before_stop(events: &[Event<'_>], index: usize) -> bool {
     let guard = |event: &&Event<'_>| event.block.effect == Effect::OffsetGuard;
     let retract =
         rest[stops..].iter().find(|event| !guard(event)).filter(|event| event.block.effect == Effect::Machine);
+    let [from, to] = [&out.before.position, &out.block.state.position];
+    let moved = out.block.words.letters().filter(|letter| from.get(*letter) != to.get(*letter));
     out.block.effect == Effect::Rapid
         && stops > 0
-        && out.block.words.len() == 1
-        && retract.is_some_and(|retract| retract.block.words.letters().eq(out.block.words.letters()))
+        && retract.is_some_and(|retract| retract.block.words.letters().eq(moved))
 }
 
 /// Whether axes go to machine coordinates to which they go once more after the same cut, and nothing but such motions is between.

@@ -202,7 +202,7 @@ pub(super) const OWED: [Owed; 14] = [
 
 /// What must be so at each place.
 #[rustfmt::skip]
-pub(in crate::check) const NEEDED: [Needed; 69] = [
+pub(in crate::check) const NEEDED: [Needed; 68] = [
     needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
     needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
@@ -223,7 +223,6 @@ pub(in crate::check) const NEEDED: [Needed; 69] = [
     needed(DutyPlace::Stop, Duty::StateAtEnd, stops_retracted, ""),
     needed(DutyPlace::Stop, Duty::ApproachEnded, always, ""),
     needed(DutyPlace::Stop, Duty::RotationAfterHome, always, NEEDLESS_HOME),
-    needed(DutyPlace::Stop, Duty::ClampsLeft, always, ""),
     needed(DutyPlace::Stop, Duty::StopInTime, always, "the stop comes after the restart point before which the CL data has it"),
 
     needed(DutyPlace::Copied, Duty::OperationEnded, always, ""),
