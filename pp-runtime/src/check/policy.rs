@@ -469,6 +469,8 @@ pub struct ShopBlocks {
     pub tool_names: bool,
     /// Name of the swivel data record.
     pub swivel_data: String,
+    /// Number of the spindle of the tool, where its words have it.
+    pub spindle_number: Option<u32>,
     /// Texts of PPRINT are displayed.
     pub displays_messages: bool,
     /// Settings and parameters of the control, by its names for them, mm.

@@ -30,6 +30,7 @@ pub(super) fn vocabulary(machine: &dyn AnyMachine, policy: &CheckPolicy, units: 
         own: policy.shop.lines.iter().map(own).collect(),
         effects: declared.collect(),
         swivel_data: policy.shop.swivel_data.clone(),
+        spindle_number: policy.shop.spindle_number,
         plain: policy.words.plain_numbers,
         tools: tools.collect(),
         tools_by_name: policy.shop.tool_names,

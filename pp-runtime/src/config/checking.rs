@@ -8,7 +8,7 @@ use crate::check::policy::{
 };
 use crate::check::read::{Effect, Family, OwnPlace, coolant};
 use crate::cl::{ReadingOptions, StatedTool};
-use crate::control::{self, Control, LineEffect, Messages, RetractForm, Spellings};
+use crate::control::{self, Control, LineEffect, Messages, RetractForm, Spellings, ToolSpindle};
 use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
 use crate::motion::{
     BoreRetract, CutterPath, Links, Mode, OperationChoice, OperationEntry, Operations, OptionalStops, PathNorm, Rapid,
@@ -289,6 +289,10 @@ impl Config {
             displays_messages: control.program.messages == Messages::Display,
             tool_names: control.tool_names,
             swivel_data: control.swivel_data.clone().unwrap_or_default(),
+            spindle_number: control.tool_spindle().and_then(|spindle| match spindle {
+                ToolSpindle::Number(number) => Some(*number),
+                ToolSpindle::Master | ToolSpindle::Codes(_) => None,
+            }),
             states: control.states.iter().map(|(name, value)| (name.clone(), *value)).collect(),
         }
     }
@@ -324,6 +328,10 @@ impl Config {
         control.program.operation_start.iter().for_each(|line| add(line, OwnPlace::OperationStart, None));
         control.program.operation_end.iter().for_each(|line| add(line, OwnPlace::OperationEnd, None));
         control.safety.iter().flatten().for_each(|line| add(line, OwnPlace::Safety, None));
+        control.mill_turn_blocks().for_each(|line| add(line, OwnPlace::MillTurn, None));
+        for (code, rotation) in control.tool_spindle().into_iter().flat_map(ToolSpindle::rotations) {
+            add(&code, OwnPlace::Spindle { rotation }, None);
+        }
         control.tool_change.iter().flatten().for_each(|line| add(line, OwnPlace::ToolChange, None));
         for (index, line) in control.own_retract().into_iter().flatten().enumerate() {
             add(line, OwnPlace::Retract { index }, None);

@@ -15,6 +15,7 @@ use super::dialects::{
     STANDARD_M, Spellings, ThreadCodes, TipControlCodes,
 };
 use super::foreign::of_another_control;
+use super::mill_turn::ToolSpindle;
 use super::options::{ControlFunction, Demands, PlaneBy, RetractMethod};
 use super::states::ControlState;
 use super::template::{self, OF_TOOL};
@@ -109,6 +110,9 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     }));
     if demands.motion.cycles.thread_feed == ThreadFeed::PerRevolution && codes.per_revolution.is_empty() {
         faults.push(format!("threads of {title} take their pitch in any case: leave `cycles.thread_feed` out"));
+    }
+    if matches!(demands.options.tool_spindle(), Some(ToolSpindle::Number(_))) && control.family() != "siemens" {
+        faults.push(format!("{title} calls no spindle by its number: give three codes in `control.mill_turn`"));
     }
     let named =
         |key: &str, codes: &[String; 2]| codes.iter().map(|code| (key.to_owned(), code.clone())).collect::<Vec<_>>();
@@ -381,7 +385,11 @@ fn cycle_abilities(codes: &Spellings, demands: Demands<'_>) -> CycleAbilities {
         }
         CycleForm::Codes(_) | CycleForm::Definitions(_) => false,
     };
+    // A cycle runs the spindle of M3.
+    let master = demands.options.tool_spindle().is_none();
     CycleAbilities {
+        tap: cycles.abilities.tap && master,
+        fine_bore: cycles.abilities.fine_bore.filter(|_| master),
         tap_stops_spindle: cycles.abilities.tap_stops_spindle && !floats,
         tap_per_revolution: cycles.abilities.tap_uses_feed && !codes.per_revolution.is_empty(),
         ..cycles.abilities

@@ -31,6 +31,7 @@ mod fit;
 mod foreign;
 mod lacking;
 mod layout;
+mod mill_turn;
 mod options;
 mod states;
 pub mod template;
@@ -45,6 +46,7 @@ pub use fit::{abilities, unfit, usable_modes};
 pub(crate) use foreign::of_another_control;
 pub use lacking::take_out_lacking;
 pub use layout::{FramesUsed, Layout};
+pub use mill_turn::{MillTurn, ToolSpindle};
 pub use options::{
     BlockNumbers, ControlFunction, ControlOptions, Demands, LineEffect, Messages, PlaneBy, ProgramBlocks,
     ProgramHeader, RetractMethod, TipControlSwitch,

@@ -14,6 +14,7 @@ use crate::program::Coolant;
 use crate::set_up::SetUp;
 
 use super::dialects::{MachineRetract, RetractForm, Spellings};
+use super::mill_turn::{MillTurn, MillTurnKey, ToolSpindle};
 use super::states::States;
 use super::template::{self, BadTemplate, Field, OF_PROGRAM, OF_TOOL};
 
@@ -103,6 +104,11 @@ options! {
         /// the table; not with a rotary axis in the head, nor with `rotary_offset`), or "tilted_plane" (G268). Without this key it is
         /// G254 where `functions` and the machine have it.
         plane_by: Option<PlaneBy> = None, key("control.plane_by", OneOf(&PlaneBy::NAMES), "\"tilted_plane\"");
+        /// On a turning machine, at each restart point: `radius`, the block after which words of X are radii, or "parameter" where
+        /// they are by a setting; `modes`, blocks after which C is an axis and the tool is driven; and `spindle` of the tool, as
+        /// three codes (clockwise, counter-clockwise, off), as its number (Siemens: 3 for `S3=` and `M3=`), or "master" for that of M3.
+        /// Words of X are never diameters. Threads by a cycle need "master": the cycle runs that spindle.
+        mill_turn: Option<MillTurn> = None, key("control.mill_turn", MillTurnKey);
         /// Name of the swivel data record of CYCLE800.
         swivel_data: Option<String> = None, key("control.swivel_data", OneLine, "\"TABLE\"");
         /// Write the word of `tool_posture` where tip control is switched on (Fanuc: P of G43.4, an option of the control).
@@ -321,6 +327,16 @@ impl ControlOptions {
             Some(TipControlSwitch::Codes(codes)) => Some(codes),
             Some(TipControlSwitch::None) | None => None,
         }
+    }
+
+    /// Blocks that a turning machine needs at each restart point.
+    pub(crate) fn mill_turn_blocks(&self) -> impl Iterator<Item = &String> {
+        self.mill_turn.iter().flat_map(MillTurn::blocks)
+    }
+
+    /// Spindle of the tool, where it is not that of M3.
+    pub(crate) fn tool_spindle(&self) -> Option<&ToolSpindle> {
+        self.mill_turn.as_ref().map(|mill_turn| &mill_turn.spindle).filter(|spindle| **spindle != ToolSpindle::Master)
     }
 
     /// Whether a function of the control is installed, as far as is known.

@@ -448,7 +448,7 @@ impl Comparison<'_> {
         let fault = self.rules.fault_at_park(block, self.progress.last(), ModalContext::default());
         self.found_state(current, fault);
         self.parks_at_end(current);
-        if self.parked != 0 && self.rules.policy().links.home_mm.is_none() {
+        if retracted.linear_parked && self.rules.policy().links.home_mm.is_none() {
             self.found(current, "the rotary axes are parked after linear axes");
         }
         retracted.parks = true;

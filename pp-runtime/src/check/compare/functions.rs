@@ -481,6 +481,10 @@ pub(super) fn place_of_line(places: &[OwnPlace], phase: &Phase, motions: u64, en
     let wrong = |place: &OwnPlace| match place {
         OwnPlace::Start => (motions > 0).then_some("after the first motion"),
         OwnPlace::End => (!ended || phase.is_at_part()).then_some("before the end of the CL data"),
+        OwnPlace::MillTurn => match phase {
+            Phase::Retracted(retracted) if retracted.step > 0 => Some("after the approach has begun"),
+            _ => None,
+        },
         OwnPlace::Safety
         | OwnPlace::ToolChange
         | OwnPlace::OperationStart
@@ -493,7 +497,11 @@ pub(super) fn place_of_line(places: &[OwnPlace], phase: &Phase, motions: u64, en
             _ => phase.is_at_part().then_some("at the part"),
         },
         OwnPlace::Insert | OwnPlace::Unconfirmed => Some("that the CL data does not have here"),
-        OwnPlace::Retract { .. } | OwnPlace::Clamp { .. } | OwnPlace::Coolant | OwnPlace::TipControl { .. } => None,
+        OwnPlace::Retract { .. }
+        | OwnPlace::Clamp { .. }
+        | OwnPlace::Coolant
+        | OwnPlace::Spindle { .. }
+        | OwnPlace::TipControl { .. } => None,
     };
     let mut faults = places.iter().map(|place| {
         let what = place.key().map_or_else(

@@ -250,6 +250,8 @@ fn needs_retract(own: &OwnLine) -> bool {
         OwnPlace::Start
         | OwnPlace::End
         | OwnPlace::Safety
+        | OwnPlace::MillTurn
+        | OwnPlace::Spindle { .. }
         | OwnPlace::ToolChange
         | OwnPlace::OperationEnd
         | OwnPlace::Retract { .. }

@@ -79,12 +79,13 @@ impl Comparison<'_> {
     /// Linear axes to their parking positions; whether the block does that.
     fn parks_linear(&mut self, phase: &mut Phase, current: &Current<'_>) -> bool {
         let block = current.block;
-        let begun = matches!(phase, Phase::Retracted(retracted) if retracted.parks) || self.progress.next().is_none();
+        let Phase::Retracted(retracted) = phase else { return false };
+        let begun = retracted.parks || self.progress.next().is_none();
         let parks = block.action == Action::Machine
-            && phase.is_retracted()
             && begun
             && parking::moves_linear(&self.rules, &self.rules.policy().links.park, block);
         if parks {
+            retracted.linear_parked = true;
             self.parks_at_end(current);
             self.state_at_machine_position(None, true, current);
             self.parked |= block.written;
@@ -161,6 +162,8 @@ impl Comparison<'_> {
         }
         if !self.duties.owes(Duty::CompleteState) {
             self.come_to(DutyPlace::RetractOfStart, Some(phase), current);
+            let missing = self.shop_lines.retract_of_start();
+            self.found_all(current, missing);
         }
         let mut retracted = self.retracted(phase, current);
         let rewinds = retracted.rewind.is_some();

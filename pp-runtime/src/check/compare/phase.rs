@@ -82,6 +82,8 @@ pub(super) struct Retracted {
     pub(crate) stopped: bool,
     /// Axes may move to their parking positions.
     pub(crate) parks: bool,
+    /// Linear axes have moved there.
+    pub(crate) linear_parked: bool,
     /// Axes that have gone to their home positions: bits.
     pub(crate) homed: u16,
 }

@@ -130,7 +130,8 @@ impl Comparison<'_> {
     /// that are not in the program.
     fn selected_at_end(&mut self, current: &Current<'_>) {
         let State { tool, selected, .. } = current.block.state;
-        let first = self.previous.first_tool.filter(|_| self.rules.policy().selection.is_none());
+        // After blocks that may be skipped the tool is unknown.
+        let first = self.previous.first_tool.filter(|_| tool.is_some() && self.rules.policy().selection.is_none());
         if let Some((selected, first)) = selected.filter(|_| self.previous.prepares && selected != tool).zip(first)
             && selected != first
         {

@@ -114,12 +114,17 @@ impl ShopLines {
                 OwnPlace::CheckTool => checked,
                 OwnPlace::ToolStart { tool: of } => (changes || has_ended) && tool == Some(of),
                 OwnPlace::ToolEnd { tool: of } => ends(of),
-                OwnPlace::Safety | OwnPlace::OperationStart => true,
+                OwnPlace::Safety | OwnPlace::MillTurn | OwnPlace::OperationStart => true,
                 _ => false,
             });
         }
         self.lines.forget();
         missing
+    }
+
+    /// The machine retracts after a restart point: what is missing before it.
+    pub(super) fn retract_of_start(&self) -> Vec<String> {
+        self.missing("before the machine retract after the restart point", |place| place == OwnPlace::MillTurn)
     }
 
     /// A record that ends the operation is carried out: what is missing before it.

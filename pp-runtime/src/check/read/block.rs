@@ -3,7 +3,7 @@
 //! Lengths are mm and angles rad, whatever the unit of the program; levels and centres count as the words of the program
 //! do. Nothing in here knows a machine or CL data.
 
-use crate::program::Units;
+use crate::program::{Rotation, Units};
 
 pub(super) use super::state::settled;
 pub use super::state::{
@@ -126,6 +126,13 @@ pub enum OwnPlace {
     End,
     /// `control.safety`.
     Safety,
+    /// `control.mill_turn`: words of X as radii, C as an axis, the tool driven.
+    MillTurn,
+    /// Code of the spindle of the tool, where it is not that of the control.
+    Spindle {
+        /// Its sense; `None`: off.
+        rotation: Option<Rotation>,
+    },
     /// `control.tool_change`.
     ToolChange,
     /// `program.operation_start`.
@@ -179,6 +186,7 @@ impl OwnPlace {
             Self::Start => "program.start",
             Self::End => "program.end",
             Self::Safety => "control.safety",
+            Self::MillTurn => "control.mill_turn",
             Self::ToolChange => "control.tool_change",
             Self::OperationStart => "program.operation_start",
             Self::OperationEnd => "program.operation_end",
@@ -189,6 +197,7 @@ impl OwnPlace {
             Self::Retract { .. }
             | Self::Clamp { .. }
             | Self::Coolant
+            | Self::Spindle { .. }
             | Self::TipControl { .. }
             | Self::Insert
             | Self::Unconfirmed => {

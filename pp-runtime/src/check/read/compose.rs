@@ -27,7 +27,7 @@ use super::orders::{Act, ArcWords, AxisWords, CannedWords, Code, LengthCode, Mod
 use super::own::OwnText;
 use super::text::{Number, shown, whole};
 use super::words::{Coded, Counts, Word};
-use crate::program::Units;
+use crate::program::{Rotation, Units};
 
 /// Least increment of mm and degrees, and of inches.
 const LEAST: f64 = 1e-3;
@@ -169,7 +169,10 @@ impl Line<'_> {
             Means::Smoothing(smoother) => self.smooth(smoother, takes, column),
             Means::Stop { optional } => self.orders.act(Act::Stop { optional }),
             Means::End => self.orders.act(Act::End),
-            Means::Spindle(rotation) => self.orders.function(Mode::Spindle(rotation), order),
+            Means::Spindle(rotation) => {
+                self.is_spindle_of_tool(rotation, (column, end));
+                self.orders.function(Mode::Spindle(rotation), order);
+            }
             Means::SpindleAndFlood(rotation) => {
                 let kinds = self.kinds_of(coolant::FLOOD, true, number, (column, end));
                 self.orders.function(Mode::Spindle(Some(rotation)), order);
@@ -214,6 +217,18 @@ impl Line<'_> {
         self.orders.mode(Mode::Tilt(tilt));
         if matches!(tilt, TiltCode::Orient | TiltCode::Zero | TiltCode::On { oriented: true, .. }) {
             self.orders.act(Act::Orient);
+        }
+    }
+
+    /// A code of the control's own spindle is a fault where another one has the tool.
+    fn is_spindle_of_tool(&mut self, rotation: Option<Rotation>, (column, end): (usize, usize)) {
+        let is_same = |own: &&OwnText| own.place == OwnPlace::Spindle { rotation };
+        if let Some(own) = self.vocabulary().own.iter().find(is_same) {
+            let (code, own) = (shown(self.at.between(column, end)), shown(&own.text));
+            self.fault(
+                column,
+                format!("`{code}` switches another spindle than that of the tool, whose code is `{own}`"),
+            );
         }
     }
 

@@ -129,6 +129,8 @@ pub(crate) struct Vocabulary {
     pub(crate) effects: Vec<(Vec<u8>, Effect)>,
     /// Name of the swivel data record.
     pub(crate) swivel_data: String,
+    /// Number of the spindle of the tool, where its speed has it: `S3=2000`.
+    pub(crate) spindle_number: Option<u32>,
     /// A length without a decimal point counts millimetres or inches, whatever is usual on the control.
     pub(crate) plain: bool,
     /// Tools by name.

@@ -196,7 +196,11 @@ pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
         let orders = &mut *line.orders;
         // The machine builder's code takes the place of the control's own of this spelling.
         match own.place {
-            OwnPlace::Clamp { .. } | OwnPlace::TipControl { .. } if !found => orders.forget_codes(),
+            OwnPlace::Clamp { .. } | OwnPlace::TipControl { .. } | OwnPlace::MillTurn | OwnPlace::Spindle { .. }
+                if !found =>
+            {
+                orders.forget_codes();
+            }
             OwnPlace::Coolant if !found && matches!(own.coolant, Some((_, true))) => {
                 orders.remove(|mode| matches!(mode, Mode::CoolantOn(_)));
             }
@@ -207,6 +211,8 @@ pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
             (OwnPlace::Coolant, Some((kinds, true))) => orders.mode(Mode::CoolantOn(kinds)),
             (OwnPlace::Coolant, Some((kinds, false))) => orders.mode(Mode::CoolantOff(kinds)),
             (OwnPlace::TipControl { on }, _) => orders.mode(Mode::TipControl(on)),
+            (OwnPlace::Spindle { rotation }, _) => orders.mode(Mode::Spindle(rotation)),
+            (OwnPlace::MillTurn, _) => {}
             (OwnPlace::Coolant, None) => {}
             _ => continue,
         }

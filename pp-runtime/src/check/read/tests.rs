@@ -29,6 +29,7 @@ fn vocabulary(family: Family) -> Vocabulary {
         ],
         effects: Vec::new(),
         swivel_data: "TC".to_owned(),
+        spindle_number: None,
         plain: false,
         tools: vec![("MILL 10".to_owned(), 7)],
         tools_by_name: false,

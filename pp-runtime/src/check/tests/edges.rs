@@ -152,3 +152,54 @@ fn the_rotary_axes_are_parked_first() {
     let found = again::<OneTable>("fanuc", Mode::Axes, set_up, data, &edited);
     assert!(found.iter().any(|text| text.contains("parked after linear axes")), "{found:?}");
 }
+
+/// Where C is the main spindle, words of X must be radii, C an axis and the tool driven before anything moves, and the spindle of
+/// the tool is not that of M3.
+#[test]
+fn a_turning_machine_states_its_modes_at_each_restart_point() {
+    let turning = |spindle: &str, radius: &str| {
+        format!(
+            "retract.distance = 20\ncontrol.mill_turn = {{ radius = \"{radius}\", modes = [\"M200\", \"M252\"], spindle = {spindle} }}\n"
+        )
+    };
+    for (control, set_up, on, off, others) in [
+        ("fanuc", turning("[\"M203\", \"M204\", \"M205\"]", "G122.1"), "S2000\nM203\n", "M205\n", ["M3", "M5"]),
+        ("siemens", turning("3", "DIAMOF"), "S3=2000\nM3=3\n", "M3=5\n", ["M3", "M5"]),
+    ] {
+        let program = posted_right::<OneTable>(control, Mode::Axes, &set_up, TWO_TOOLS);
+        assert!(program.contains(on) && program.contains(off), "{program}");
+        assert!(!program.contains("1006#3") && !program.contains("X is a radius"), "{program}");
+        let modes = "M200\nM252\n";
+        assert_eq!(program.matches(modes).count(), 2, "{program}");
+        for line in [modes, if control == "fanuc" { "G122.1\n" } else { "DIAMOF\n" }] {
+            let place = program.rfind(line).expect("the modes of the second restart point");
+            let lost = format!("{}{}", &program[..place], &program[place + line.len()..]);
+            let found = again::<OneTable>(control, Mode::Axes, &set_up, TWO_TOOLS, &lost);
+            assert!(found.iter().any(|text| text.contains("`control.mill_turn` is missing")), "{found:?}\n{lost}");
+            let after = lost[place..].find("1000\n").expect("the second speed") + place + 5;
+            let late = format!("{}{line}{}", &lost[..after], &lost[after..]);
+            let found = again::<OneTable>(control, Mode::Axes, &set_up, TWO_TOOLS, &late);
+            assert!(found.iter().any(|text| text.contains("before the machine retract")), "{found:?}\n{late}");
+        }
+        let [of_control, stop] = others;
+        for (right, wrong) in [(on.lines().last().unwrap_or_default(), of_control), (off.trim_end(), stop)] {
+            let edited = program.replace(&format!("\n{right}\n"), &format!("\n{wrong}\n"));
+            assert_ne!(edited, program);
+            let found = again::<OneTable>(control, Mode::Axes, &set_up, TWO_TOOLS, &edited);
+            assert!(
+                found.iter().any(|text| text.contains("another spindle than that of the tool")),
+                "{found:?}\n{edited}"
+            );
+        }
+        let slow = program.replace(on, &on.replace("2000", "200"));
+        assert_told::<OneTable>(control, Mode::Axes, &set_up, TWO_TOOLS, &slow);
+    }
+    // Without the key the program states what must be so.
+    let plain = posted_right::<OneTable>("fanuc", Mode::Axes, "retract.distance = 20\n", TWO_TOOLS);
+    assert!(plain.contains("1006#3"), "{plain}");
+    let tap = "UNITS/MM\nLOADTL/1\nSPINDL/500,CLW\nRAPID\nGOTO/0,0,50\nCYCLE/TAP,DEPTH,10,CLEAR,5,MMPR,1.25\nGOTO/0,0,0\nCYCLE/OFF\n\
+               RAPID\nGOTO/0,0,50\n";
+    let set_up = format!("cl.dialect = \"iso\"\n{}", turning("3", "parameter"));
+    let refused = posted::<OneTable>("siemens", Mode::Axes, &set_up, tap).expect_err("a cycle runs the spindle of M3");
+    assert!(refused.iter().any(|found| found.text.contains("tapping")), "{refused:?}");
+}

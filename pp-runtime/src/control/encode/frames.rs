@@ -20,6 +20,8 @@ pub(crate) struct FrameWriter {
     /// Functions that are listed as installed.
     functions: Option<Vec<ControlFunction>>,
     tip_control: Option<[String; 2]>,
+    /// Blocks of a turning machine after it.
+    mill_turn: Vec<String>,
     safety: Option<Vec<String>>,
     tool_change: Option<Vec<String>>,
     numbers: BlockNumbers,
@@ -34,6 +36,7 @@ impl FrameWriter {
             functions: layout.options.functions.clone(),
             tip_control: layout.options.tip_control_codes().cloned(),
             safety: layout.options.safety.clone(),
+            mill_turn: layout.options.mill_turn_blocks().cloned().collect(),
             tool_change: layout.options.tool_change.clone(),
             numbers: layout.program.line_numbers,
             tool_changes: 0,
@@ -118,16 +121,17 @@ impl FrameWriter {
         out.note_blending();
         if let Some(safety) = &self.safety {
             out.fill_all(safety)?;
-            return match &self.tip_control {
-                Some([_, off]) if !safety.contains(off) => out.block(off),
-                _ => Ok(()),
-            };
+            if let Some([_, off]) = self.tip_control.as_ref().filter(|[_, off]| !safety.contains(off)) {
+                out.block(off)?;
+            }
+            return self.mill_turn.iter().try_for_each(|block| out.block(block));
         }
         let codes = out.codes();
         self.cancel(true, out)?;
         out.fill_all(codes.safety)?;
         self.reset(out)?;
         self.cancel(false, out)?;
+        self.mill_turn.iter().try_for_each(|block| out.block(block))?;
         let modal = out.modal();
         modal.set_feed_mode(codes.per_minute);
         modal.set_length(LengthState::Off);

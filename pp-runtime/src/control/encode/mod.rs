@@ -230,7 +230,7 @@ impl<'a> Encoder<'a> {
             Step::OffsetGuard { label } => self.lines(&self.control.offset_guard(label)),
             Step::Spindle { speed, rotation } => self.spindle_coolant.spindle(speed, rotation, out),
             Step::Code { text } => out.block(text),
-            Step::SpindleOff => out.block(codes.spindle_off),
+            Step::SpindleOff => self.spindle_coolant.spindle_off(out),
             Step::Dwell { seconds } => self.spindle_coolant.dwell(seconds, out),
             Step::Coolant { kind } => self.spindle_coolant.coolant(kind, out),
             Step::CoolantOff => self.spindle_coolant.coolant_off(out),

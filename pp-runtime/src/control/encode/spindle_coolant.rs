@@ -4,6 +4,7 @@ use std::io;
 
 use crate::control::dialects::Spellings;
 use crate::control::layout::Layout;
+use crate::control::mill_turn::ToolSpindle;
 use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation};
 
@@ -14,18 +15,46 @@ use super::modal_writer::ModalWriter;
 pub(crate) struct SpindleCoolantWriter {
     /// As in the configuration.
     coolant: [Option<[String; 2]>; 7],
+    /// Spindle of the tool, where it is not that of the control.
+    tool_spindle: Option<ToolSpindleBlocks>,
+}
+
+/// Blocks of a spindle.
+#[derive(Debug)]
+struct ToolSpindleBlocks {
+    speed: String,
+    /// Clockwise, counter-clockwise, off.
+    switches: [String; 3],
 }
 
 impl SpindleCoolantWriter {
     pub(crate) fn new(layout: &Layout) -> Self {
-        Self { coolant: layout.options.coolant.clone() }
+        let blocks = |spindle: &ToolSpindle| {
+            Some(ToolSpindleBlocks { speed: spindle.speed_block()?, switches: spindle.switches()? })
+        };
+        Self { coolant: layout.options.coolant.clone(), tool_spindle: layout.options.tool_spindle().and_then(blocks) }
     }
 
     /// Switches the spindle on.
     pub(crate) fn spindle(&self, speed: Decimal, rotation: Rotation, out: &mut ModalWriter<'_>) -> io::Result<()> {
         out.changed_speed(speed)?;
+        if let Some(ToolSpindleBlocks { speed, switches: [clockwise, counter_clockwise, _] }) = &self.tool_spindle {
+            out.fill(speed)?;
+            return out.block(if rotation == Rotation::Clockwise { clockwise } else { counter_clockwise });
+        }
         let codes = out.codes();
         out.fill(codes.rotation(rotation))
+    }
+
+    /// Switches the spindle off.
+    pub(crate) fn spindle_off(&self, out: &mut ModalWriter<'_>) -> io::Result<()> {
+        match &self.tool_spindle {
+            Some(ToolSpindleBlocks { switches: [_, _, off], .. }) => out.block(off),
+            None => {
+                let codes = out.codes();
+                out.block(codes.spindle_off)
+            }
+        }
     }
 
     /// Writes a dwell, in several blocks if it is too long for one; each in whole milliseconds, as it is written.

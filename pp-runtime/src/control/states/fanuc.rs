@@ -1,6 +1,7 @@
 //! States of Fanuc 30i and related controls.
 
-use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated};
+use super::MillTurnSets;
+use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated, StatedUnless};
 use super::StateUse::{Compensation, Cycles, Every, Planes, Rotary, TipControl};
 use super::{LENGTH, StateRow, state};
 use crate::control::options::ControlFunction;
@@ -30,7 +31,7 @@ pub(super) const STATES: &[StateRow] = &[
     state("G05.1 smoothing", "deviation from the path", SetWhere(ControlFunction::Smoothing, "G05.1 Q0"), Every, CODES).because(OPTION),
     state("tool offsets", "length of H", Compared(LENGTH, "the offsets H hold the lengths of the tools"), Every, "B-63944EN/02 (2004), custom macro, system variables")
         .because("the length is that of the real tool"),
-    state("1006#3", "X is a diameter", Stated("words of X are radii (parameter 1006#3, DIA, is 0)"), Every, "B-62754EN/01, p. 104").because(PARAMETER),
+    state("1006#3", "X is a diameter", StatedUnless(MillTurnSets::Radius, "words of X are radii (parameter 1006#3, DIA, is 0)"), Every, "B-62754EN/01, p. 104").because(PARAMETER),
     state("1008#0, #1", "words of rotary axes beyond a revolution", Noted(|codes| codes.rotary_note), Rotary, "B-63534EN, p. 531").because(PARAMETER),
     state("5004#2, D", "offset of G41 and G42", Noted(|codes| codes.radius_data[0]), Compensation, "").because(PARAMETER),
     state("5148", "direction off the wall of a bore", Noted(|_| "the direction that the line FINE BORING of the header states"), Cycles, "15i operator's manual, p. 315, of 6240")

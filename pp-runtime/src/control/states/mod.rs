@@ -52,8 +52,28 @@ pub(crate) enum StateHandling {
     Compared(&'static str, &'static str),
     /// It is a condition, as the header states it.
     Stated(&'static str),
+    /// The same, unless `control.mill_turn` sets it.
+    StatedUnless(MillTurnSets, &'static str),
     /// The same, which is part of a line that the header has of its own.
     Noted(fn(&Spellings) -> &'static str),
+}
+
+/// What `control.mill_turn` may set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum MillTurnSets {
+    /// Words of X are radii.
+    Radius,
+    /// The spindle of the tool is named.
+    Spindle,
+}
+
+impl MillTurnSets {
+    fn is_set(self, options: &ControlOptions) -> bool {
+        match self {
+            Self::Radius => options.mill_turn.as_ref().is_some_and(|mill_turn| mill_turn.radius.is_some()),
+            Self::Spindle => options.tool_spindle().is_some(),
+        }
+    }
 }
 
 /// Programs on which a state has an effect.
@@ -122,6 +142,7 @@ impl StateRow {
         }
         match self.by {
             StateHandling::Stated(condition) => Some(condition),
+            StateHandling::StatedUnless(sets, condition) => (!sets.is_set(options)).then_some(condition),
             StateHandling::SetWhere(function, _) => (!ends(function, codes, options, uses)).then_some(self.name),
             StateHandling::Compared(LENGTH, condition) => (!uses.length_guard).then_some(condition),
             StateHandling::Compared(_, condition) => (!uses.offset_guard).then_some(condition),
@@ -203,6 +224,7 @@ pub(crate) fn write_table(control: &dyn Control, out: &mut dyn Write) -> io::Res
         for row in of_way {
             let what = match row.by {
                 StateHandling::InWord(text) | StateHandling::Set(text) | StateHandling::Stated(text) => text.to_owned(),
+                StateHandling::StatedUnless(_, text) => format!("`control.mill_turn`; without it: {text}"),
                 StateHandling::SetWhere(function, code) => {
                     let usual = control.spellings().cancels.iter().any(|cancel| cancel.of == function && cancel.usual);
                     let listed = match usual {
@@ -238,7 +260,9 @@ const WAYS: [Way; 4] = [
     ("Written in the word itself", |by| matches!(by, StateHandling::InWord(_))),
     ("Set at each restart point", |by| matches!(by, StateHandling::Set(_) | StateHandling::SetWhere(..))),
     ("Compared by a guard that stops", |by| matches!(by, StateHandling::Compared(..))),
-    ("Stated in header and sheet", |by| matches!(by, StateHandling::Stated(_) | StateHandling::Noted(_))),
+    ("Stated in header and sheet", |by| {
+        matches!(by, StateHandling::Stated(_) | StateHandling::StatedUnless(..) | StateHandling::Noted(_))
+    }),
 ];
 
 /// Number of states of a control that are from memory, settings with a value included.

@@ -1,6 +1,7 @@
 //! States of Siemens 840D.
 
-use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated};
+use super::MillTurnSets;
+use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated, StatedUnless};
 use super::StateUse::{Compensation, Every, Planes, Rotary};
 use super::{LENGTH, StateRow, state};
 use crate::control::options::ControlFunction;
@@ -41,7 +42,7 @@ pub(super) const STATES: &[StateRow] = &[
         .because("it is part of the swivel data; a guard compares the axes"),
     state("SD42940, SD42950", "axis of the tool length", Stated("length 1 of a tool lies along Z in G17 (SD42940)"), Every, "6FC5398-1BP10-2BA0, 8.17.4").because(DATA),
     state("G291", "codes are those of ISO", Stated("the control is in Siemens mode (G290)"), Every, "").because("without ISO mode its code may be unknown"),
-    state("DIAMON", "X is a diameter", Stated("X is a radius (DIAMOF)"), Every, "").because("without a transverse axis its code may raise an alarm"),
-    state("SETMS", "spindle of S and M3", Stated("the tool is in the master spindle"), Every, "").because("SETMS would take a spindle that the shop has selected"),
+    state("DIAMON", "X is a diameter", StatedUnless(MillTurnSets::Radius, "X is a radius (DIAMOF)"), Every, "").because("without a transverse axis its code may raise an alarm"),
+    state("SETMS", "spindle of S and M3", StatedUnless(MillTurnSets::Spindle, "the tool is in the master spindle"), Every, "").because("SETMS would take a spindle that the shop has selected"),
     state("CYCLE832", "deviation from the path", Stated("no CYCLE832 of a program before is in force"), Every, "NC programming 12/2019, p. 1108").because("without its option the cycle raises an alarm"),
 ];

@@ -1,9 +1,9 @@
 //! Rows of the table, their reasons, and what the check asks for beside them.
 
 use super::{ProgramUses, StateHandling, conditions, from_memory, of};
-use crate::control::CONTROLS;
 use crate::control::layout::FramesUsed;
 use crate::control::options::{ControlFunction, ControlOptions};
+use crate::control::{CONTROLS, MillTurn, ToolSpindle};
 
 /// Most rows of a control that are from memory.
 const MOST_FROM_MEMORY: usize = 8;
@@ -76,6 +76,14 @@ fn what_no_word_code_or_guard_deals_with_is_a_condition() {
         for row in of(name) {
             match row.by {
                 StateHandling::Stated(condition) => assert!(guarded.contains(condition), "{name}: {condition}"),
+                StateHandling::StatedUnless(_, condition) => {
+                    assert!(guarded.contains(condition), "{name}: {condition}");
+                    let radius = Some("CODE".to_owned());
+                    let mill_turn = Some(MillTurn { radius, modes: Vec::new(), spindle: ToolSpindle::Number(3) });
+                    let set = ControlOptions { mill_turn, ..options(&[]) };
+                    let stated = conditions(*control, &set, &uses(true)).join("\n");
+                    assert!(!stated.contains(condition), "{name}: {condition}");
+                }
                 StateHandling::Compared(_, condition) => {
                     assert!(bare.contains(condition) && !guarded.contains(condition), "{name}: {condition}");
                 }

@@ -111,7 +111,15 @@ fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
         line.word(name, (Address::Axis, index), (number, counts), start);
         return true;
     }
+    let spindle = line.vocabulary().spindle_number;
     let address = match name {
+        [b'S', number @ ..] if spindle.is_some() => {
+            let of_tool = spindle.is_some_and(|spindle| spindle.to_string().as_bytes() == number);
+            if !of_tool {
+                line.fault(start, "the speed of another spindle than that of the tool");
+            }
+            line.language().address(b'S')
+        }
         [letter] => line.language().address(*letter),
         _ => None,
     };
