@@ -471,6 +471,8 @@ pub struct ShopBlocks {
     pub swivel_data: String,
     /// Number of the spindle of the tool, where its words have it.
     pub spindle_number: Option<u32>,
+    /// Blocks with a number are restart points.
+    pub restarts_numbered: bool,
     /// Texts of PPRINT are displayed.
     pub displays_messages: bool,
     /// Settings and parameters of the control, by its names for them, mm.

@@ -8,7 +8,7 @@ use crate::check::policy::{
 };
 use crate::check::read::{Effect, Family, OwnPlace, coolant};
 use crate::cl::{ReadingOptions, StatedTool};
-use crate::control::{self, Control, LineEffect, Messages, RetractForm, Spellings, ToolSpindle};
+use crate::control::{self, BlockNumbers, Control, LineEffect, Messages, RetractForm, Spellings, ToolSpindle};
 use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
 use crate::motion::{
     BoreRetract, CutterPath, Links, Mode, OperationChoice, OperationEntry, Operations, OptionalStops, PathNorm, Rapid,
@@ -293,6 +293,7 @@ impl Config {
                 ToolSpindle::Number(number) => Some(*number),
                 ToolSpindle::Master | ToolSpindle::Codes(_) => None,
             }),
+            restarts_numbered: control.program.line_numbers == BlockNumbers::Restarts,
             states: control.states.iter().map(|(name, value)| (name.clone(), *value)).collect(),
         }
     }

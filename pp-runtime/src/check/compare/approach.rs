@@ -47,6 +47,10 @@ impl Comparison<'_> {
         if current.block.written & self.rules.words().linear_bits() != 0 {
             self.duties.happens(DutyEvent::LinearStep);
         }
+        if self.rules.clamps() != 0 && retracted.rewind.is_none() {
+            let held = self.functions.rotates_from_restart(current.block, &self.rules);
+            self.found_any(current, held);
+        }
         let step = self.approach_step(retracted, current.block);
         if self.goes_elsewhere(retracted, step, current) {
             return Ok(None);

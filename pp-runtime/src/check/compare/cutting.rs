@@ -814,7 +814,7 @@ impl Comparison<'_> {
     }
 
     /// Whether the spindle has been switched off since the last cut by something that the CL data has not.
-    fn stops_in_cut(&self, block: &Block) -> bool {
+    pub(super) fn stops_in_cut(&self, block: &Block) -> bool {
         let in_cut = self.progress.last().and_then(|required| self.rules.spindle_in_cut(required));
         let asked = matches!(self.progress.requested_spindle(), Some(None));
         let stopped = asked || self.duties.owes(Duty::SpindleAgain);

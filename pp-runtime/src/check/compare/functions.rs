@@ -43,6 +43,8 @@ pub(super) struct FunctionState {
     at_retract: Option<ClampsAtRetract>,
     /// Axes whose words have come since the complete state: bits.
     axes_stated: u16,
+    /// The same of rotary axes, whatever the block was for.
+    rotary_stated: u16,
     /// The blank as far as the program has defined it, in its unit.
     blank: Blank,
     /// It has been compared with that of the configuration.
@@ -56,6 +58,17 @@ struct ClampsAtRetract {
     known: u16,
     /// Rotary words have come since.
     rotated: u16,
+}
+
+/// What clamps must be where nothing rotates any more since the machine retract.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ClampsDue {
+    /// Those of axes that have not rotated are as they were.
+    AsBefore,
+    /// Besides, an axis that has been positioned is clamped.
+    Positioned,
+    /// And so is one with a parking position.
+    Parked,
 }
 
 /// The blank of a program: corners, and whether it is a cylinder.
@@ -80,7 +93,7 @@ impl FunctionState {
     pub(super) fn restart(&mut self) {
         self.guard = None;
         self.radius_guard_mm = None;
-        (self.clamps_stated, self.axes_stated) = (0, 0);
+        (self.clamps_stated, self.axes_stated, self.rotary_stated) = (0, 0, 0);
     }
 
     /// A block of an approach has words of axes.
@@ -235,11 +248,27 @@ impl FunctionState {
         clamp.map(|letter| format!("the clamp of {letter} is neither on nor off after the restart point"))
     }
 
+    /// What is wrong with the clamps where rotary words come for the first time after a restart point: entered there, they may rotate.
+    pub(super) fn rotates_from_restart(&mut self, block: &Block, rules: &Rules<'_>) -> Option<String> {
+        let first = block.written & rules.clamps() & !self.rotary_stated;
+        self.rotary_stated |= block.written;
+        let held = letter(rules, first & (!self.clamps_stated | block.state.clamped));
+        held.map(|letter| format!("the clamp of {letter} has not been released after the restart point: entered there, {letter} may rotate here"))
+    }
+
+    /// What is wrong with the clamps where a probe measures.
+    pub(super) fn loose(&self, state: &State, rules: &Rules<'_>) -> Option<String> {
+        let loose = rules.clamps() & state.clamps_known & !state.clamped & !self.moved;
+        letter(rules, loose).map(|letter| format!("{letter} is not clamped where a probe measures"))
+    }
+
+    /// A line of the shop has switched clamps.
+    pub(super) fn forget_clamps(&mut self) {
+        self.at_retract = None;
+    }
+
     /// Notes a line of the shop.
     pub(super) fn line(&mut self, places: &[OwnPlace]) {
-        if places.iter().any(|place| !matches!(place, OwnPlace::Clamp { .. })) {
-            self.at_retract = None;
-        }
         for place in places {
             if let OwnPlace::Clamp { axis, .. } = place {
                 self.clamps_stated |= 1 << axis;
@@ -367,9 +396,8 @@ impl FunctionState {
         self.unclamped |= rules.clamps() & !state.clamped;
     }
 
-    /// What is wrong with the clamps where nothing rotates any more since the machine retract: an axis that has rotated, or is `parked`
-    /// at the end, is clamped, and the others are as they were.
-    pub(super) fn clamps_left(&self, state: &State, rules: &Rules<'_>, parked: bool) -> Option<String> {
+    /// What is wrong with the clamps where nothing rotates any more since the machine retract.
+    pub(super) fn clamps_left(&self, state: &State, rules: &Rules<'_>, due: ClampsDue) -> Option<String> {
         let ClampsAtRetract { clamped, known, rotated } = self.at_retract?;
         let links = &rules.policy().links;
         let with_place = |places: &[&BTreeMap<char, f64>]| {
@@ -378,8 +406,12 @@ impl FunctionState {
             with_place.fold(0, |bits, (index, _)| bits | 1 << index)
         };
         let clamps = rules.clamps() & state.clamps_known;
-        let parks = if parked { with_place(&[&links.park]) } else { 0 };
-        let loose = letter(rules, clamps & (rotated | parks) & !state.clamped);
+        let held = match due {
+            ClampsDue::AsBefore => 0,
+            ClampsDue::Positioned => rotated,
+            ClampsDue::Parked => rotated | with_place(&[&links.park]),
+        };
+        let loose = letter(rules, clamps & held & !state.clamped);
         if let Some(letter) = loose {
             return Some(format!("{letter} has been positioned since the machine retract, and is not clamped here"));
         }

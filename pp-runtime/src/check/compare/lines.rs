@@ -2,7 +2,7 @@
 
 use super::super::expect::{ExpectedAction, ExpectedItem};
 use super::super::policy::LinearMeaning;
-use super::super::read::{Action, Block, Effect, Length, OwnLine, OwnPlace, coolant, stated};
+use super::super::read::{Action, Block, Effect, Form, Length, OwnLine, OwnPlace, State, coolant, stated};
 use super::functions::place_of_line;
 use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::Phase;
@@ -32,7 +32,7 @@ impl Comparison<'_> {
             self.guards_and_restart(phase, current);
         }
         if !current.same_modes {
-            self.follow_spindle(block);
+            self.follow_spindle(block, phase.is_at_part(), current);
             self.modes_before_task(phase, current);
         }
         if block.action.cuts() {
@@ -41,7 +41,7 @@ impl Comparison<'_> {
     }
 
     /// Notes what a block has done to the spindle.
-    fn follow_spindle(&mut self, block: &Block) {
+    fn follow_spindle(&mut self, block: &Block, at_part: bool, current: &Current<'_>) {
         let (rotation, stated) = (block.state.spindle.flatten(), block.stated & stated::SPINDLE != 0);
         let first = !std::mem::replace(&mut self.previous.spindle_stated, stated) && stated;
         let before = std::mem::replace(&mut self.previous.rotation, rotation);
@@ -56,6 +56,7 @@ impl Comparison<'_> {
         } else if first || rotation != before {
             self.duties.happens(DutyEvent::SpindleStarts);
         }
+        self.switched_twice(block, at_part, current);
         let dwell = self.rules.policy().links.spindle_dwell_s;
         self.previous.spindle_waits = self.duties.owes(Duty::SpindleDwell);
         if matches!(block.action, Action::Dwell(seconds) if seconds >= dwell - SHORT_SPINDLE_DWELL) {
@@ -63,10 +64,45 @@ impl Comparison<'_> {
         }
     }
 
+    /// Spindle and coolant are switched for a motion, or a wait; at the part the CL data may switch them without one.
+    fn switched_twice(&mut self, block: &Block, at_part: bool, current: &Current<'_>) {
+        let (before, now) = (&self.setters.at_block, &block.state);
+        // In statements the speed has a line of its own.
+        let speeds = self.rules.facts().form != Form::Statements;
+        let runs = |state: &State| state.spindle.flatten().map(|rotation| (rotation, state.speed.filter(|_| speeds)));
+        let on = |state: &State| state.coolant.filter(|on| *on != 0);
+        let changes = [runs(before) != runs(now), on(before) != on(now)];
+        let is_on = [runs(now).is_some(), on(now).is_some()];
+        let known =
+            [before.spindle.is_some() && now.spindle.is_some(), before.coolant.is_some() && now.coolant.is_some()];
+        for (index, what) in ["spindle", "coolant"].into_iter().enumerate() {
+            if !changes[index] {
+                continue;
+            }
+            let twice = self.previous.switched[index] && known[index] && block.own.is_none() && !at_part;
+            // Further kinds of coolant may come on.
+            if twice && (index == 0 || !is_on[index]) {
+                self.found(
+                    current,
+                    &format!("the {what} has been switched on before, and nothing has moved or waited since"),
+                );
+            }
+            self.previous.switched[index] = is_on[index] && block.own.is_none();
+            self.previous.started |= index == 0 && is_on[index];
+        }
+        if matches!(block.action, Action::Dwell(_)) {
+            self.previous.switched = [false; 2];
+        }
+    }
+
     /// A line that the user brought in; `is_of_cl`: it is the stop of the CL data.
     #[inline(never)]
     fn own_line(&mut self, own: &OwnLine, is_of_cl: bool, phase: &Phase, current: &Current<'_>) {
         self.functions.line(&own.places);
+        let switches = current.block.state.clamped != self.setters.at_block.clamped;
+        if switches && own.places.iter().any(|place| !matches!(place, OwnPlace::Clamp { .. })) {
+            self.functions.forget_clamps();
+        }
         if own.places.contains(&OwnPlace::TipControl { on: false }) {
             self.duties.happens(DutyEvent::TipControlOff);
         }

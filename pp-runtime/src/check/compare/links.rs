@@ -189,6 +189,14 @@ impl Comparison<'_> {
         let spindle = self.spindle_may_be(current.block, retracted.stopped);
         let fault = self.rules.fault_at_retract(block, tilts, spindle, context);
         self.found_state(current, fault);
+        if at_part && self.stops_in_cut(block) {
+            self.found(current, "the spindle is off before this machine retract, and was on in the cut");
+        }
+        if !self.duties.owes(Duty::CompleteState) {
+            let frames = self.rules.frames_not_ended(&block.state);
+            self.restarts.note(frames, current.shown);
+            self.restarts.end();
+        }
         if let Some(last) = self.progress.last().filter(|_| at_part) {
             let fault = self.rules.fault_after_motion(&block.state, last);
             self.found_state(current, fault);

@@ -27,6 +27,7 @@ mod plane_guard;
 mod progress;
 mod rapid;
 mod records;
+mod restarts;
 mod retract;
 mod shop_lines;
 mod station;
@@ -55,6 +56,7 @@ use functions::FunctionState;
 use obligations::{Duties, DutyEvent};
 use phase::{Phase, Task};
 use progress::ClProgress;
+use restarts::Restarts;
 use shop_lines::ShopLines;
 use station::Station;
 
@@ -112,6 +114,7 @@ struct Comparison<'a> {
     at_station: [u16; Station::ALL.len()],
     /// Blocks of the shop's machine retract that have come.
     own_retract: usize,
+    restarts: Restarts,
     way: Way,
 }
 
@@ -177,6 +180,10 @@ struct Previous {
     first_tool: Option<u32>,
     /// It has selected the next tool by itself.
     prepares: bool,
+    /// The spindle, and the coolant, have been switched, and nothing has moved or waited since.
+    switched: [bool; 2],
+    /// The spindle has been switched on since the last motion.
+    started: bool,
     /// Work offset and length since the last machine retract or line of the shop.
     offsets: Option<OffsetsInForce>,
 }
@@ -264,6 +271,7 @@ impl<'a> Checker<'a> {
             parked: 0,
             at_station: Default::default(),
             own_retract: 0,
+            restarts: Restarts::default(),
             way: Way::default(),
         };
         let reading = Reading { comparison, phase: Phase::Unknown { stopped: false } };
@@ -441,6 +449,7 @@ impl Reading<'_> {
             comparison.found(&current, "block after the end code of the program");
             return Ok(());
         }
+        comparison.restart_point(&current);
         comparison.before_task(phase, &current);
         let own_places = block.own.as_ref().map_or(&[][..], |own| &own.places);
         let next = if let Some(index) = comparison.own_retract_block(own_places) {
@@ -472,6 +481,7 @@ impl Comparison<'_> {
     fn moving(&mut self, task: Task, phase: &mut Phase, current: &Current<'_>) -> io::Result<()> {
         let block = current.block;
         self.tally.count_motion();
+        (self.previous.switched, self.previous.started) = ([false; 2], false);
         if phase.is_retracted() || phase.is_unknown() {
             self.take_tool();
         }

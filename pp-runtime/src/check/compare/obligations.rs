@@ -11,6 +11,7 @@ use std::rc::Rc;
 use super::super::policy::CheckPolicy;
 use super::super::read::{Form, stated};
 use super::super::rules::fault_at_end;
+use super::functions::ClampsDue;
 use super::phase::Phase;
 use super::station::Station;
 use super::{Comparison, Current, plane_guard};
@@ -165,9 +166,17 @@ impl Comparison<'_> {
                 self.found_any(current, fault);
             }
             Duty::ClampsOfCuts => {}
-            Duty::ClampsLeft | Duty::ClampsAtEnd => {
-                let parked = what == Duty::ClampsAtEnd;
-                let fault = self.functions.clamps_left(&current.block.state, &self.rules, parked);
+            Duty::ClampsAsBefore | Duty::ClampsPositioned | Duty::ClampsParked => {
+                let due = match what {
+                    // In an approach an axis may have rotated for a cut in which it moves.
+                    Duty::ClampsAsBefore if matches!(phase, Some(Phase::Retracted(retracted)) if retracted.step == 0) => {
+                        ClampsDue::Positioned
+                    }
+                    Duty::ClampsAsBefore => ClampsDue::AsBefore,
+                    Duty::ClampsPositioned => ClampsDue::Positioned,
+                    _ => ClampsDue::Parked,
+                };
+                let fault = self.functions.clamps_left(&self.setters.at_block, &self.rules, due);
                 self.found_any(current, fault);
             }
             Duty::OperationEnded => self.ends_operation(current),
@@ -248,8 +257,9 @@ mod tests {
             | Duty::ApproachEnded
             | Duty::CutsEnded
             | Duty::ClampsOfCuts
-            | Duty::ClampsLeft
-            | Duty::ClampsAtEnd
+            | Duty::ClampsAsBefore
+            | Duty::ClampsPositioned
+            | Duty::ClampsParked
             | Duty::CoolantStated
             | Duty::OffsetStated
             | Duty::SpindleStated

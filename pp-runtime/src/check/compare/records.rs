@@ -4,7 +4,7 @@
 use std::io;
 
 use super::super::expect::{ExpectedAction, ExpectedItem};
-use super::super::read::{Action, Block, OwnPlace, State};
+use super::super::read::{Action, Block, OwnPlace, State, stated};
 use super::super::rules::tool_name;
 use super::approach::FOR_APPROACH;
 use super::obligations::{Duty, DutyEvent, DutyPlace};
@@ -69,14 +69,15 @@ impl Comparison<'_> {
         }
         if first && state.spindle.flatten().is_some() {
             self.found(current, "the spindle is on where a probe measures");
-        }
-        if first && state.coolant.is_some_and(|on| on != 0) {
-            self.found(current, "the coolant is on where a probe measures");
+        } else if self.previous.started {
+            self.found(current, "the spindle has been switched on where a probe measures");
         }
         if first {
-            let before = &self.setters.at_block;
-            let fault = self.rules.fault_at_measuring(before, current.block, self.progress.last());
+            let before = self.setters.at_block;
+            let fault = self.rules.fault_at_measuring(&before, current.block, self.progress.last(), None);
             self.found_state(current, fault);
+            let loose = self.functions.loose(&before, &self.rules);
+            self.found_any(current, loose);
         }
     }
 
@@ -107,6 +108,10 @@ impl Comparison<'_> {
                 self.found(current, &format!("change to {tool}, but the CL data requires {required}"));
             }
             _ => {}
+        }
+        let is_stated = of_shop || current.block.stated & stated::TOOL != 0;
+        if !is_stated && !self.duties.owes(Duty::CompleteState) {
+            self.found(current, "the tool of this change is not called after the restart point");
         }
         self.come_to(DutyPlace::ToolChange, Some(phase), current);
         self.shop_lines.next_tool();
@@ -237,7 +242,13 @@ impl Comparison<'_> {
             return Ok(());
         }
         let drains = self.rules.policy().links.through_dwell_s;
-        if phase.is_retracted() && self.duties.owes(Duty::DrainDwell) && (drains - seconds).abs() <= ROUNDED_DWELL {
+        // A dwell of the spindle may be as long.
+        let stands = current.block.state.spindle.flatten().is_none();
+        if stands
+            && phase.is_retracted()
+            && self.duties.owes(Duty::DrainDwell)
+            && (drains - seconds).abs() <= ROUNDED_DWELL
+        {
             self.duties.happens(DutyEvent::Drained);
             return Ok(());
         }

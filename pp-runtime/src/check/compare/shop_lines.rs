@@ -94,7 +94,7 @@ impl ShopLines {
 
     /// An approach has ended: what is missing before it. `starts`: an operation begins there, with this tool and register.
     pub(super) fn approach(&mut self, starts: bool, (tool, register): ToolAndRegister) -> Vec<String> {
-        let mut missing = Vec::new();
+        let mut missing = self.needless(starts, tool);
         self.has_cut = true;
         let has_ended = std::mem::take(&mut self.has_ended);
         let has_left = std::mem::take(&mut self.has_left);
@@ -106,7 +106,7 @@ impl ShopLines {
             let measured = changes && tool.is_some_and(|tool| self.measured.contains(&tool));
             let checked = (changes || has_ended) && self.is_checked(before);
             let ends = |of| (changes || has_ended) && before == Some(Some(of));
-            missing = self.missing("before this operation", |place| match place {
+            missing.extend(self.missing("before this operation", |place| match place {
                 OwnPlace::Start => before.is_none(),
                 OwnPlace::OperationEnd => open,
                 OwnPlace::ToolChange => changes,
@@ -116,10 +116,31 @@ impl ShopLines {
                 OwnPlace::ToolEnd { tool: of } => ends(of),
                 OwnPlace::Safety | OwnPlace::MillTurn | OwnPlace::OperationStart => true,
                 _ => false,
-            });
+            }));
         }
         self.lines.forget();
         missing
+    }
+
+    /// Lines about a tool that have come since the last approach although its work has neither begun nor ended.
+    fn needless(&self, starts: bool, tool: Option<u32>) -> Vec<String> {
+        let before = self.last_tool.map(|(tool, _)| tool);
+        let ends = |place: OwnPlace| matches!(place, OwnPlace::CheckTool | OwnPlace::ToolEnd { .. });
+        let of_tool =
+            |place: OwnPlace| ends(place) || matches!(place, OwnPlace::MeasureTool | OwnPlace::ToolStart { .. });
+        let stays = before == Some(tool) || !starts;
+        let come = match self.lines.tools() {
+            0 if stays && !self.has_ended => self.lines.come_for(of_tool),
+            0 | 1 if before.is_none() => self.lines.come_for(ends),
+            _ => Vec::new(),
+        };
+        let text = |(place, text): (OwnPlace, String)| {
+            format!(
+                "`{text}` of `{}` comes where the work of a tool neither begins nor ends",
+                place.key().unwrap_or_default()
+            )
+        };
+        come.into_iter().map(text).collect()
     }
 
     /// The machine retracts after a restart point: what is missing before it.

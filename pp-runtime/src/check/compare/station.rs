@@ -3,8 +3,9 @@
 
 use std::collections::BTreeMap;
 
+use super::super::expect::Required;
 use super::super::policy::LinkPolicy;
-use super::super::read::{Action, Block, OwnLine, OwnPlace};
+use super::super::read::{Action, Block, OwnLine, OwnPlace, stated};
 use super::super::rules::ModalContext;
 use super::obligations::{Duty, DutyPlace};
 use super::phase::{Phase, Retracted};
@@ -116,12 +117,14 @@ impl Comparison<'_> {
         // Before the first tool call no plane need be selected.
         let context = ModalContext { no_plane: true, ..ModalContext::default() };
         let fault = |required| self.rules.fault_at_park(current.block, required, context);
-        // The work offset is that of the operation before, or of the one after a restart point.
-        let next = self.progress.next().map(|item| &*item.required);
-        let found = match (self.progress.last(), next) {
-            (Some(last), Some(next)) => fault(Some(last)).filter(|_| fault(Some(next)).is_some()),
-            (one, other) => fault(one.or(other)),
-        };
+        let found = fault(self.required_here());
+        let unstated = current.block.stated & stated::OFFSET == 0 && !self.rules.policy().shop.own_safety;
+        if unstated && !self.duties.owes(Duty::CompleteState) {
+            self.found(
+                current,
+                "the axes go to a position before the work offset is programmed after the restart point",
+            );
+        }
         self.found_state(current, found);
     }
 
@@ -133,12 +136,19 @@ impl Comparison<'_> {
             self.is_at_station(Station::Measuring, current);
             let before = &self.setters.at_block;
             let runs = before.spindle.flatten().is_some();
-            let fault = self.rules.fault_at_measuring(before, current.block, None);
+            let fault = self.rules.fault_at_measuring(before, current.block, None, self.required_here());
             self.found_state(current, fault);
             if own.places.contains(&OwnPlace::CheckTool) && runs {
                 self.found(current, "the spindle is on where a tool is checked for breakage");
             }
         }
+    }
+
+    /// What the operation before requires, or the one after a restart point.
+    fn required_here(&self) -> Option<&Required> {
+        let next = self.progress.next().map(|item| &*item.required);
+        let last = self.progress.last();
+        if self.duties.owes(Duty::CompleteState) { last.or(next) } else { next.or(last) }
     }
 
     /// The axes are at their positions.

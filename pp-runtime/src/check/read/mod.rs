@@ -446,6 +446,7 @@ impl<P: Pieces> Reader<P> {
         self.words.clear();
         let into = (&mut self.words, &mut self.orders);
         let mut line = Line::new(text, vocabulary, &self.machine, into, &mut self.block.faults);
+        let in_guard = self.dialect.is_in_guard();
         let mut is_block = self.dialect.line(&mut line);
         let may_switch = !line.orders.moves_axes() && !vocabulary.own.is_empty();
         let switched = may_switch && own::switch(self.bare.text(&self.line, &self.facts), &mut line);
@@ -457,6 +458,9 @@ impl<P: Pieces> Reader<P> {
         if self.own_retract && self.block.own.is_none() {
             let own = own::resolve(self.bare.text(&self.line, &self.facts), &mut line, None, false);
             self.block.own = own.filter(|own| own.places.iter().any(|place| matches!(place, OwnPlace::Retract { .. })));
+        }
+        if in_guard && self.block.own.is_some() {
+            line.lasting_fault(0, "a block of the shop in a guard: it is executed only under the condition");
         }
         is_block |= self.block.own.is_some();
         if self.orders.effects & effect::STATE != 0 {

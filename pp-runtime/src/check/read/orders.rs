@@ -230,6 +230,7 @@ impl Mode {
             Self::Incremental(_) => settled::DISTANCES,
             Self::Plane(_) => settled::WORKING_PLANE,
             Self::FeedMode(_) => settled::FEED_MODE,
+            Self::AbsoluteCentres(_) => settled::CENTRES,
             Self::Settles(bits) => *bits,
             _ => 0,
         }

@@ -464,6 +464,19 @@ impl PlacedLines {
         of_text().next().zip(most).is_some_and(|(own, most)| own.times > most)
     }
 
+    /// How often work of a tool has begun or ended since none has come.
+    pub(crate) fn tools(&self) -> usize {
+        self.tools
+    }
+
+    /// Those that have come for one of these places and no other.
+    pub(crate) fn come_for(&self, places: impl Fn(OwnPlace) -> bool) -> Vec<(OwnPlace, String)> {
+        let elsewhere =
+            |own: &PlacedLine| self.lines.iter().any(|other| other.text == own.text && !places(other.place));
+        let come = self.lines.iter().filter(|own| own.times > 0 && !own.common && places(own.place) && !elsewhere(own));
+        come.map(|own| (own.place, shown(&own.text))).collect()
+    }
+
     /// The work of a tool begins or ends.
     pub(crate) fn next_tool(&mut self) {
         self.tools += 1;

@@ -214,6 +214,8 @@ pub mod stated {
     pub const MODES: u8 = 16;
     /// S.
     pub const SPEED: u8 = 32;
+    /// T.
+    pub const TOOL: u8 = 64;
 }
 
 /// What a program before may have left in force, and the code that ends it: bits of what the program has settled since its last
@@ -253,6 +255,8 @@ pub(in crate::check) mod settled {
     pub(crate) const WORKING_PLANE: u32 = 32768;
     /// What F means.
     pub(crate) const FEED_MODE: u32 = 65536;
+    /// Centres of arcs.
+    pub(crate) const CENTRES: u32 = 131_072;
 }
 
 /// What is in force; `None` where the program has not said it.

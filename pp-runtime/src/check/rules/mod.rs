@@ -68,6 +68,8 @@ pub(super) struct Rules<'a> {
     units: Units,
     /// States of a program before that must be ended: bits of `settled`.
     left_over: u32,
+    /// The same of the frames that the program has used.
+    frames_used: u32,
     /// Work offset of each set-up.
     offsets: Vec<(u32, WorkOffset)>,
     /// Rotary axes with clamps: bits.
@@ -102,6 +104,7 @@ impl<'a> Rules<'a> {
             rounding,
             units,
             left_over: state::left_over(policy, &facts),
+            frames_used: 0,
             offsets: state::offsets(&policy.set_up, &facts),
             clamps: policy.shop.lines.iter().fold(0, |bits, line| match line.place {
                 OwnPlace::Clamp { axis, .. } => bits | 1 << axis,
@@ -170,6 +173,7 @@ impl<'a> Rules<'a> {
     /// does not.
     pub(super) fn follow_frame(&mut self, state: &State) {
         self.framed = is_framed(state);
+        self.frames_used |= state::frame_bits(state);
         if self.policy.linear_of_all().is_none() {
             self.meaning = match state.tip_control {
                 TipControl::On { .. } => LinearMeaning::TipCoordinates,

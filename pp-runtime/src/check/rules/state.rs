@@ -294,13 +294,21 @@ impl Rules<'_> {
         before: &State,
         block: &Block,
         probed: Option<&Required>,
+        required: Option<&Required>,
     ) -> Option<StateFault> {
         let context = ModalContext { no_plane: probed.is_none(), ..ModalContext::default() };
         let frame = if probed.is_some() { FrameUse::AsMeant } else { FrameUse::Without };
+        let wet = before.coolant.is_some_and(|on| on != 0);
         self.everywhere(before, Side::None, context)
+            .or_else(|| inverse_time(before))
             .or_else(|| self.frame(&Block { state: *before, ..block.clone() }, frame))
+            .or_else(|| (before.smoothing != Smoothing::Off).then(|| "smoothing is on where blocks measure".to_owned()))
+            .or_else(|| wet.then(|| "the coolant is on where blocks measure".to_owned()))
             .map(StateFault::from)
-            .or_else(|| self.offsets(before, probed?, true))
+            .or_else(|| match probed {
+                Some(probed) => self.offsets(before, probed, true),
+                None => self.offsets(before, required?, false),
+            })
     }
 
     /// Whether the spindle is in a state.
@@ -379,11 +387,25 @@ impl Rules<'_> {
         None
     }
 
-    /// Bits of what a restart point must have ended: what every control may have left, and a frame that is in force, since the program
-    /// may be entered after a stop in it.
+    /// Bits of what a restart point must have ended: what every control may have left, and frames that the program has used, since it
+    /// may be entered after a stop in one.
     #[inline]
     fn owed(&self, state: &State) -> u32 {
-        if self.policy.shop.own_safety { self.left_over } else { self.left_over | frame_bits(state) }
+        let frames = self.frames_used | frame_bits(state);
+        if self.policy.shop.own_safety { self.left_over } else { self.left_over | frames }
+    }
+
+    /// Frames that a restart point has not ended, of those that the control may have: bits.
+    pub(crate) fn frames_not_ended(&self, state: &State) -> u32 {
+        let frames = settled::PLANE | settled::DYNAMIC_OFFSET;
+        if self.policy.shop.own_safety { 0 } else { frames & !state.settled }
+    }
+
+    /// What is wrong with a restart point that has not ended these frames, as the program uses one of them after it.
+    pub(crate) fn fault_before_frames(&self, not_ended: u32) -> Option<String> {
+        let left = self.facts.left_over.iter().find(|left| left.bit & not_ended & self.frames_used != 0)?;
+        let LeftOver { what, code, .. } = left;
+        Some(format!("{what} is used later in the program, and this restart point does not end it: {code} is missing"))
     }
 
     /// What a program before may have left, and this one has not ended.
@@ -639,7 +661,7 @@ pub(super) fn left_over(policy: &CheckPolicy, facts: &Facts) -> u32 {
 }
 
 /// Bits of the frames in force.
-fn frame_bits(state: &State) -> u32 {
+pub(super) fn frame_bits(state: &State) -> u32 {
     let plane = if state.tilt.is_some() { settled::PLANE } else { 0 };
     plane | if state.dynamic_offset { settled::DYNAMIC_OFFSET } else { 0 }
 }

@@ -203,3 +203,117 @@ fn a_turning_machine_states_its_modes_at_each_restart_point() {
     let refused = posted::<OneTable>("siemens", Mode::Axes, &set_up, tap).expect_err("a cycle runs the spindle of M3");
     assert!(refused.iter().any(|found| found.text.contains("tapping")), "{refused:?}");
 }
+
+/// Set-up of a shop that measures, with clamps, and a part in a tilted plane after one that is not.
+const SHOP: &str = "retract.distance = 20\ncycles.measure_tool = [\"G65 P9023 A12. T{tool} H{offset}\"]\n\
+                    cycles.check_tool = [\"G65 P9023 A22. T{tool}\"]\ncycles.tool_position = { A = 0.0 }\n\
+                    clamp = { A = { on = \"M10\", off = \"M11\" } }\n\
+                    tools = { 1 = { length = 120.0, measured = true, checked = true, start = [\"M131\"], end = [\"M133\"] }, \
+                    2 = { length = 95.0 } }\ncontrol.effects = { M131 = \"none\", M133 = \"none\" }\n";
+
+/// Three operations of two tools.
+const THREE: &str = "UNITS/MM\nTOOL PATH/A,TOOL,T1\nLOADTL/1\nSPINDL/RPM,2000,CLW\nCOOLNT/ON\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,0,50\n\
+                     GOTO/0,0,0\nGOTO/20,0,0\nGOTO/20,0,50\nTOOL PATH/B,TOOL,T1\nRAPID\nGOTO/0,9,50,0,0.6,0.8\nGOTO/0,9,2,0,0.6,0.8\n\
+                     GOTO/20,9,2,0,0.6,0.8\nGOTO/20,9,50,0,0.6,0.8\nTOOL PATH/C,TOOL,T2\nLOADTL/2\nSPINDL/RPM,1000,CLW\nRAPID\n\
+                     GOTO/0,9,50,0,0,1\nGOTO/0,9,2\nGOTO/20,9,2\nGOTO/20,9,50\n";
+
+#[test]
+fn what_comes_at_the_retract_without_a_motion_for_it_is_found() {
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, SHOP, THREE);
+    let tell = |before: &str, added: &str, text: &str| {
+        let place = program.rfind(before).unwrap_or_else(|| panic!("{before} in\n{program}"));
+        let edited = format!("{}{added}{}", &program[..place], &program[place..]);
+        let found = again::<OneTable>("fanuc", Mode::Axes, SHOP, THREE, &edited);
+        assert!(found.iter().any(|found| found.contains(text)), "{added}: {found:?}\n{edited}");
+    };
+    tell("T2 M6\n", "S500 M3\nM5\n", "the spindle has been switched on before");
+    tell("M30\n", "M8\nM9\n", "the coolant has been switched on before");
+    tell("G65 P9023 A22. T1", "M8\n", "coolant is on where blocks measure");
+    tell("G65 P9023 A22. T1", "G05.1 Q1\n", "smoothing is on where blocks measure");
+    tell("G65 P9023 A22. T1", "G55\n", "work offset is G55");
+    tell("G65 P9023 A22. T1", "M11\n", "is not clamped here");
+    tell("(OPERATION B)\n", "M133\n", "neither begins nor ends");
+    tell("(OPERATION B)\n", "G65 P9023 A22. T1\n", "neither begins nor ends");
+    let retract = program.rfind("G49 G53 G0 Z0.\nM5\n").expect("the last retract");
+    let first = format!("{}M5\nG49 G53 G0 Z0.\n{}", &program[..retract], &program[retract + 18..]);
+    let found = again::<OneTable>("fanuc", Mode::Axes, SHOP, THREE, &first);
+    assert!(
+        found.iter().any(|text| text.contains("the spindle is off before this machine retract")),
+        "{found:?}\n{first}"
+    );
+}
+
+#[test]
+fn a_restart_point_has_all_that_an_entry_there_needs() {
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, SHOP, THREE);
+    let second = |text: &str| program[program.find("(OPERATION C)").expect("the third operation")..].find(text);
+    let start = program.find("(OPERATION C)").expect("the third operation");
+    for (right, wrong, text) in [
+        ("T2 M6\n", "M6\n", "is not called after the restart point"),
+        ("M9\n", "", "the coolant is not switched off after the restart point"),
+        (" G21 ", " ", "is no restart point"),
+    ] {
+        let place = start + second(right).unwrap_or_else(|| panic!("{right} in\n{program}"));
+        // Preselected, it is the right one in sequence.
+        let edited = format!("{}{wrong}{}", &program[..place], &program[place + right.len()..]);
+        let found = again::<OneTable>("fanuc", Mode::Axes, SHOP, THREE, &edited);
+        assert!(found.iter().any(|found| found.contains(text)), "{right}: {found:?}\n{edited}");
+    }
+    // In sequence A is where it has to be.
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, SHOP, TWO_TOOLS);
+    let release = program.rfind("M11\n").expect("the release");
+    let edited = format!("{}{}", &program[..release], &program[release + 4..]);
+    let found = again::<OneTable>("fanuc", Mode::Axes, SHOP, TWO_TOOLS, &edited);
+    assert!(
+        found.iter().any(|text| text.contains("has not been released after the restart point")),
+        "{found:?}\n{edited}"
+    );
+    let planes = format!("{SHOP}mode = \"plane\"\n");
+    let program = posted_right::<OneTable>("fanuc", Mode::Plane, &planes, THREE);
+    assert!(program.contains("G68.2"), "{program}");
+    for place in program.match_indices("G69\n").map(|(place, _)| place) {
+        let restart = program[..place].trim_end().lines().last().is_some_and(|line| line.starts_with('N'));
+        if restart {
+            let edited = format!("{}{}", &program[..place], &program[place + 4..]);
+            let found = again::<OneTable>("fanuc", Mode::Plane, &planes, THREE, &edited);
+            assert!(!found.is_empty(), "{edited}");
+        }
+    }
+}
+
+#[test]
+fn a_block_of_the_shop_in_a_guard_is_found() {
+    let set_up = "retract.distance = 20\nlength_guard = true\nprogram.operation_start = [\"M131\"]\ncontrol.effects = { M131 = \"none\" }\n\
+                  tools = { 1 = { length = 120.0 }, 2 = { length = 95.0 } }\n";
+    for (control, end) in [("siemens", "ENDIF\n"), ("linuxcnc", "endif\n")] {
+        let program = posted_right::<Mill>(control, Mode::Axes, set_up, TWO_TOOLS);
+        let line = program.rfind("M131\n").expect("the line of the shop");
+        let without = format!("{}{}", &program[..line], &program[line + 5..]);
+        let guard = without[..line].rfind(end).expect("a guard before it");
+        let start = without[..guard].rfind('\n').expect("its line") + 1;
+        let edited = format!("{}M131\n{}", &without[..start], &without[start..]);
+        let found = again::<Mill>(control, Mode::Axes, set_up, TWO_TOOLS, &edited);
+        assert!(found.iter().any(|text| text.contains("in a guard")), "{control}: {found:?}\n{edited}");
+    }
+}
+
+#[test]
+fn a_return_plane_in_the_part_is_found() {
+    let data = "UNITS/MM\nLOADTL/1\nSPINDL/500,CLW\nRAPID\nGOTO/0,0,50\nCYCLE/DRILL,DEPTH,10,CLEAR,3,MMPM,100\nGOTO/0,0,0\nGOTO/20,0,0\n\
+                CYCLE/OFF\nRAPID\nGOTO/20,0,50\n";
+    let set_up = "cl.dialect = \"iso\"\nretract.distance = 20\n";
+    let program = posted_right::<Mill>("siemens", Mode::Axes, set_up, data);
+    let edited = program.replace("MCALL CYCLE81(3,", "MCALL CYCLE81(-5,");
+    assert_ne!(edited, program);
+    let found = again::<Mill>("siemens", Mode::Axes, set_up, data, &edited);
+    assert!(found.iter().any(|text| text.contains("RTP is -5")), "{found:?}\n{edited}");
+}
+
+/// Both dwells may be as long: that of the spindle is not the one in which coolant drains.
+#[test]
+fn coolant_drains_with_the_spindle_off() {
+    let set_up = "retract.distance = 20\ncoolant.through_dwell = 2.0\nspindle_dwell = 2.0\n\
+                  control.coolant = { through = [\"M88\", \"M89\"] }\n";
+    let data = THREE.replace("COOLNT/ON", "COOLNT/THRU");
+    posted_right::<OneTable>("fanuc", Mode::Axes, set_up, &data);
+}

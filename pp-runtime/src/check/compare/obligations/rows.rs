@@ -84,8 +84,9 @@ pub(in crate::check) enum Duty {
     ApproachEnded,
     CutsEnded,
     ClampsOfCuts,
-    ClampsLeft,
-    ClampsAtEnd,
+    ClampsAsBefore,
+    ClampsPositioned,
+    ClampsParked,
     OperationEnded,
     ToolEnded,
     ProgramEnded,
@@ -202,7 +203,7 @@ pub(super) const OWED: [Owed; 14] = [
 
 /// What must be so at each place.
 #[rustfmt::skip]
-pub(in crate::check) const NEEDED: [Needed; 68] = [
+pub(in crate::check) const NEEDED: [Needed; 71] = [
     needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
     needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
@@ -212,7 +213,7 @@ pub(in crate::check) const NEEDED: [Needed; 68] = [
     needed(DutyPlace::ToolChange, Duty::AtChangePosition, always, ""),
     needed(DutyPlace::ToolChange, Duty::ApproachEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::RotationAfterHome, always, NEEDLESS_HOME),
-    needed(DutyPlace::ToolChange, Duty::ClampsLeft, always, ""),
+    needed(DutyPlace::ToolChange, Duty::ClampsPositioned, always, ""),
     needed(DutyPlace::ToolChange, Duty::CutsEnded, always, ""),
 
     needed(DutyPlace::Stop, Duty::OperationEnded, always, ""),
@@ -223,6 +224,7 @@ pub(in crate::check) const NEEDED: [Needed; 68] = [
     needed(DutyPlace::Stop, Duty::StateAtEnd, stops_retracted, ""),
     needed(DutyPlace::Stop, Duty::ApproachEnded, always, ""),
     needed(DutyPlace::Stop, Duty::RotationAfterHome, always, NEEDLESS_HOME),
+    needed(DutyPlace::Stop, Duty::ClampsAsBefore, always, ""),
     needed(DutyPlace::Stop, Duty::StopInTime, always, "the stop comes after the restart point before which the CL data has it"),
 
     needed(DutyPlace::Copied, Duty::OperationEnded, always, ""),
@@ -242,13 +244,15 @@ pub(in crate::check) const NEEDED: [Needed; 68] = [
     needed(DutyPlace::BlockSkip, Duty::SpindleAndCoolantOff, always, "blocks that may be skipped begin and end with spindle and coolant off: one of them is on before this block"),
 
     needed(DutyPlace::Standstill, Duty::Retracted, always, "a clamp, a chuck, a door or a pallet moves here: expected the machine retract before this block"),
+    needed(DutyPlace::Standstill, Duty::ClampsAsBefore, always, ""),
     needed(DutyPlace::Standstill, Duty::SpindleStopped, always, "a clamp, a chuck, a door or a pallet moves here: the spindle is not known to be off"),
 
-    needed(DutyPlace::Measuring, Duty::ClampsLeft, always, ""),
+    needed(DutyPlace::Measuring, Duty::ClampsPositioned, always, ""),
     needed(DutyPlace::Measuring, Duty::Retract, always, "the machine has not retracted before the tool is measured or checked for breakage"),
 
     needed(DutyPlace::RetractOfStart, Duty::Parking, always, ""),
     needed(DutyPlace::RetractOfStart, Duty::OffsetGuard, always, ""),
+    needed(DutyPlace::RetractOfStart, Duty::CoolantStated, has_safety_line, "the coolant is not switched off after the restart point, before the machine retracts"),
     needed(DutyPlace::RetractOfStart, Duty::RotationAfterHome, always, NEEDLESS_HOME),
     needed(DutyPlace::RetractOfStart, Duty::TipControlOff, always, "tip control may be on: its code off is missing after the restart point and before the retract"),
 
@@ -283,7 +287,7 @@ pub(in crate::check) const NEEDED: [Needed; 68] = [
     needed(DutyPlace::End, Duty::RotationAfterHome, always, NEEDLESS_HOME),
     needed(DutyPlace::End, Duty::CutsEnded, always, ""),
     needed(DutyPlace::End, Duty::ParkingAtEnd, always, ""),
-    needed(DutyPlace::End, Duty::ClampsAtEnd, always, ""),
+    needed(DutyPlace::End, Duty::ClampsParked, always, ""),
 ];
 
 const NEEDLESS_HOME: &str =

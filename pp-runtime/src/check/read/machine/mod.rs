@@ -417,6 +417,7 @@ impl Interpreter {
                 Mode::Side(_) => modes |= 8,
                 Mode::FeedMode(_) => modes |= 16,
                 Mode::Speed(_) => bits |= stated::SPEED,
+                Mode::Tool(_) => bits |= stated::TOOL,
                 Mode::Spindle(_) => bits |= stated::SPINDLE,
                 Mode::CoolantOn(_) | Mode::CoolantOff(_) => bits |= stated::COOLANT,
                 Mode::Length(code, _) if *code != super::orders::LengthCode::Off => bits |= stated::LENGTH,

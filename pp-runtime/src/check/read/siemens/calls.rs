@@ -208,7 +208,16 @@ fn cycle(line: &mut Line<'_>, number: u32, numbers: &Numbers) -> Option<Cycle> {
         }
         _ => return None,
     };
-    let (reference, back_to) = (surface + clearance, Some(numbers.value(Slot::Return)));
+    let (reference, back) = (surface + clearance, numbers.value(Slot::Return));
+    if back < reference && !same(back, reference) {
+        line.fault(
+            0,
+            format!(
+                "RTP is {back}, below the reference plane {reference}: the rapid after the cycle leads into the part"
+            ),
+        );
+    }
+    let back_to = Some(back);
     Some(Cycle { kind, reference, bottom, back_to, dwell: numbers.value(Slot::Dwell), feed, gap })
 }
 
