@@ -466,8 +466,9 @@ impl Reading<'_> {
         if !same_modes {
             let state = &block.state;
             comparison.previous.tip_control = state.tip_control != TipControl::Off;
-            if block.own.is_some() || block.action == Action::ToolChange {
-                comparison.previous.offsets = Some(OffsetsInForce::of(state));
+            let (before, offsets) = (OffsetsInForce::of(&comparison.setters.at_block), OffsetsInForce::of(state));
+            if block.own.is_some() && before != offsets || block.action == Action::ToolChange {
+                comparison.previous.offsets = Some(offsets);
             }
             comparison.previous.runs = state.spindle.flatten().is_some() || state.coolant.is_some_and(|on| on != 0);
         }

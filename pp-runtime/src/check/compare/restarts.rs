@@ -32,7 +32,8 @@ impl Comparison<'_> {
     /// Takes a block: it may begin a restart point, or show that one before it is not complete.
     pub(super) fn restart_point(&mut self, current: &Current<'_>) {
         let block = current.block;
-        let numbered = self.rules.policy().shop.restarts_numbered && self.rules.facts().form != Form::Statements;
+        let shop = &self.rules.policy().shop;
+        let numbered = shop.restarts_numbered && !shop.own_safety && self.rules.facts().form != Form::Statements;
         if numbered && block.number.is_some() && !block.goes_on {
             self.restarts.numbered = Some((block.line, current.shown.text.to_vec()));
         }
@@ -48,11 +49,13 @@ impl Comparison<'_> {
         if current.same_modes || self.restarts.not_ended.is_empty() {
             return;
         }
-        for (frames, line, text) in std::mem::take(&mut self.restarts.not_ended) {
-            match self.rules.fault_before_frames(frames) {
-                Some(fault) => self.tally.found(self.progress.location(), Shown { line, text: &text }, &fault),
-                None => self.restarts.not_ended.push((frames, line, text)),
-            }
-        }
+        let fault = |(frames, ..): &(u32, u64, Vec<u8>)| self.rules.fault_before_frames(*frames);
+        let Some((index, fault)) =
+            self.restarts.not_ended.iter().enumerate().find_map(|(index, of)| Some((index, fault(of)?)))
+        else {
+            return;
+        };
+        let (_, line, text) = self.restarts.not_ended.remove(index);
+        self.tally.found(self.progress.location(), Shown { line, text: &text }, &fault);
     }
 }

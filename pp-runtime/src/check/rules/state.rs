@@ -307,7 +307,7 @@ impl Rules<'_> {
             .map(StateFault::from)
             .or_else(|| match probed {
                 Some(probed) => self.offsets(before, probed, true),
-                None => self.offsets(before, required?, false),
+                None => self.fault_after_motion(before, required?),
             })
     }
 

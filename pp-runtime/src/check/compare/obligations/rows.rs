@@ -214,6 +214,7 @@ pub(in crate::check) const NEEDED: [Needed; 71] = [
     needed(DutyPlace::ToolChange, Duty::ApproachEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::RotationAfterHome, always, NEEDLESS_HOME),
     needed(DutyPlace::ToolChange, Duty::ClampsPositioned, always, ""),
+    needed(DutyPlace::ToolChange, Duty::CoolantStated, has_safety_line, "the coolant is not switched off after the restart point, before the tool change"),
     needed(DutyPlace::ToolChange, Duty::CutsEnded, always, ""),
 
     needed(DutyPlace::Stop, Duty::OperationEnded, always, ""),
@@ -252,7 +253,6 @@ pub(in crate::check) const NEEDED: [Needed; 71] = [
 
     needed(DutyPlace::RetractOfStart, Duty::Parking, always, ""),
     needed(DutyPlace::RetractOfStart, Duty::OffsetGuard, always, ""),
-    needed(DutyPlace::RetractOfStart, Duty::CoolantStated, has_safety_line, "the coolant is not switched off after the restart point, before the machine retracts"),
     needed(DutyPlace::RetractOfStart, Duty::RotationAfterHome, always, NEEDLESS_HOME),
     needed(DutyPlace::RetractOfStart, Duty::TipControlOff, always, "tip control may be on: its code off is missing after the restart point and before the retract"),
 
