@@ -326,7 +326,8 @@ impl Comparison<'_> {
         };
         let of_item = |item: &ExpectedItem| (item.required.tool, item.required.register);
         let tool = self.progress.next().map_or((None, 0), of_item);
-        let missing = self.shop_lines.approach(starts, tool);
+        let goes_on = std::mem::take(&mut self.previous.measured);
+        let missing = self.shop_lines.approach(starts, goes_on, tool);
         self.found_all(current, missing);
         if starts {
             self.come_to(DutyPlace::Operation, None, current);

@@ -175,6 +175,10 @@ impl Comparison<'_> {
         if runs && own.places.iter().all(starts_tool) {
             self.found(current, "this line comes after the spindle of its operation has started");
         }
+        let of_operation = own.places.iter().all(|place| *place == OwnPlace::OperationStart);
+        if of_operation && self.shop_lines.is_tool_start_due(current.block.state.tool) {
+            self.found(current, "this line comes before those that start the work of its tool");
+        }
         if self.functions.is_guarded() {
             self.found(current, "this line comes after the guard of the tool length of its operation");
         }

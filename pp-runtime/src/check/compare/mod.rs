@@ -154,6 +154,8 @@ struct Previous {
     guards: bool,
     /// A probe has measured since the last machine retract: the tool is still in the plane of its point.
     probed: bool,
+    /// The same since the last approach: the operation may go on.
+    measured: bool,
     /// Chords of the arcs by their angle since the words gave the position in their plane, in diameters.
     chords: f64,
     /// Plane of the last arc of the operation.
@@ -449,7 +451,7 @@ impl Reading<'_> {
             comparison.found(&current, "block after the end code of the program");
             return Ok(());
         }
-        comparison.restart_point(&current);
+        comparison.restart_point(phase, &current);
         comparison.before_task(phase, &current);
         let own_places = block.own.as_ref().map_or(&[][..], |own| &own.places);
         let next = if let Some(index) = comparison.own_retract_block(own_places) {

@@ -30,7 +30,7 @@ impl Comparison<'_> {
         }
         match (phase, probe) {
             (_, Some(first)) => {
-                self.previous.probed = true;
+                (self.previous.probed, self.previous.measured) = (true, true);
                 self.probes(phase, first, current);
             }
             (Phase::Cutting(cutting), None) => self.has_left(cutting, current),
@@ -45,7 +45,8 @@ impl Comparison<'_> {
             self.found(current, "the program ends at this block of the CL data: nothing after it is executed");
         }
         (0..index).for_each(|_| self.progress.pass());
-        self.come_to(DutyPlace::Copied, Some(phase), current);
+        let place = if probe.is_some() { DutyPlace::Probe } else { DutyPlace::Copied };
+        self.come_to(place, Some(phase), current);
         self.compare_tool(current);
         self.progress.pass();
         if current.block.own.as_ref().is_some_and(|own| own.needs_standstill) {

@@ -2,6 +2,7 @@
 
 use super::super::read::Form;
 use super::super::report::Shown;
+use super::phase::Phase;
 use super::{Comparison, Current};
 
 /// What is not known of a restart point where it comes.
@@ -30,11 +31,13 @@ impl Restarts {
 
 impl Comparison<'_> {
     /// Takes a block: it may begin a restart point, or show that one before it is not complete.
-    pub(super) fn restart_point(&mut self, current: &Current<'_>) {
+    pub(super) fn restart_point(&mut self, phase: &Phase, current: &Current<'_>) {
         let block = current.block;
         let shop = &self.rules.policy().shop;
         let numbered = shop.restarts_numbered && !shop.own_safety && self.rules.facts().form != Form::Statements;
-        if numbered && block.number.is_some() && !block.goes_on {
+        // A number alone is the target of a jump.
+        let alone = || !current.shown.text.contains(&b' ');
+        if numbered && block.number.is_some() && !block.goes_on && !phase.is_at_part() && !alone() {
             self.restarts.numbered = Some((block.line, current.shown.text.to_vec()));
         }
         if block.restart {

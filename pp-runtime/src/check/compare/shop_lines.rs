@@ -92,15 +92,16 @@ impl ShopLines {
         Some(format!("this line of `{key}` is for length register {offset}, but that of the tool is {register}"))
     }
 
-    /// An approach has ended: what is missing before it. `starts`: an operation begins there, with this tool and register.
-    pub(super) fn approach(&mut self, starts: bool, (tool, register): ToolAndRegister) -> Vec<String> {
+    /// An approach has ended: what is missing before it. `starts`: an operation begins there, with this tool and register, or goes on
+    /// after a probe has measured (`goes_on`).
+    pub(super) fn approach(&mut self, starts: bool, goes_on: bool, (tool, register): ToolAndRegister) -> Vec<String> {
         let mut missing = self.needless(starts, tool);
         self.has_cut = true;
         let has_ended = std::mem::take(&mut self.has_ended);
         let has_left = std::mem::take(&mut self.has_left);
         if starts {
             // What has come for the end of the one is not at the start of the other.
-            let open = std::mem::replace(&mut self.in_operation, true) || has_left;
+            let open = std::mem::replace(&mut self.in_operation, true) && !goes_on || has_left;
             let before = self.last_tool.replace((tool, register)).map(|(tool, _)| tool);
             let changes = tool.is_some() && before != Some(tool);
             let measured = changes && tool.is_some_and(|tool| self.measured.contains(&tool));
@@ -141,6 +142,19 @@ impl ShopLines {
             )
         };
         come.into_iter().map(text).collect()
+    }
+
+    /// Whether lines for the start of the work of the tool in the spindle have to come and have not.
+    pub(super) fn is_tool_start_due(&self, spindle: Option<u32>) -> bool {
+        let Some(number) = spindle.filter(|_| self.last_tool.map(|(tool, _)| tool) != Some(spindle)) else {
+            return false;
+        };
+        let of_tool = |place| match place {
+            OwnPlace::ToolStart { tool } => tool == number,
+            OwnPlace::MeasureTool => self.measured.contains(&number),
+            _ => false,
+        };
+        !self.lines.missing(of_tool).is_empty()
     }
 
     /// The machine retracts after a restart point: what is missing before it.

@@ -117,7 +117,6 @@ const LINUXCNC_LEFT: &[LeftOver] = &[
     WORKING_PLANE,
     FEED_MODE,
     LENGTH,
-    left(settled::CENTRES, "absolute centres of arcs (G90.1)", "G91.1", FunctionOf::Every),
     left(settled::DIAMETER, "X as a diameter (G7)", "G8", FunctionOf::Every),
     left(settled::CUTTING_SPEED, "S as a cutting speed (G96)", "G97", FunctionOf::Every),
 ];

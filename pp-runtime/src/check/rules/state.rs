@@ -147,7 +147,9 @@ impl Rules<'_> {
     /// What is wrong with the centres of arcs, where a program before may have left them absolute.
     fn centres(&self, state: &State) -> Option<String> {
         let absolute = state.absolute_centres;
-        let unsure = absolute.is_none() && !self.policy.shop.own_safety;
+        // Where the program may be entered it is stated after the restart point.
+        let stated = absolute.is_some() && state.settled & settled::CENTRES != 0;
+        let unsure = !stated && !self.policy.shop.own_safety;
         let since = || state.since_lost(absolute.is_none());
         (self.facts.modal_centres && (unsure || absolute == Some(true))).then(|| {
             format!("centres of arcs are absolute (G90.1 is active), or G91.1 has not been programmed{}", since())

@@ -233,6 +233,13 @@ fn what_comes_at_the_retract_without_a_motion_for_it_is_found() {
     tell("G65 P9023 A22. T1", "G55\n", "work offset is G55");
     tell("G65 P9023 A22. T1", "M11\n", "is not clamped here");
     tell("(OPERATION B)\n", "M133\n", "neither begins nor ends");
+    let start = format!("program.operation_start = [\"M78\"]\n{SHOP}").replace("M131 =", "M78 = \"none\", M131 =");
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, &start, THREE);
+    let edited = program.replacen("M78\n", "", 1).replacen("M131\n", "M78\nM131\n", 1);
+    assert_ne!(edited, program);
+    let found = again::<OneTable>("fanuc", Mode::Axes, &start, THREE, &edited);
+    assert!(found.iter().any(|text| text.contains("those that start the work of its tool")), "{found:?}\n{edited}");
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, SHOP, THREE);
     tell("(OPERATION B)\n", "G65 P9023 A22. T1\n", "neither begins nor ends");
     let retract = program.rfind("G49 G53 G0 Z0.\nM5\n").expect("the last retract");
     let first = format!("{}M5\nG49 G53 G0 Z0.\n{}", &program[..retract], &program[retract + 18..]);
@@ -246,14 +253,13 @@ fn what_comes_at_the_retract_without_a_motion_for_it_is_found() {
 #[test]
 fn a_restart_point_has_all_that_an_entry_there_needs() {
     let program = posted_right::<OneTable>("fanuc", Mode::Axes, SHOP, THREE);
-    let second = |text: &str| program[program.find("(OPERATION C)").expect("the third operation")..].find(text);
-    let start = program.find("(OPERATION C)").expect("the third operation");
+    let change = program.find("T2 M6\n").expect("the change of the third operation") + 6;
     for (right, wrong, text) in [
         ("T2 M6\n", "M6\n", "is not called after the restart point"),
         ("M9\n", "", "the coolant is not switched off after the restart point"),
         (" G21 ", " ", "is no restart point"),
     ] {
-        let place = start + second(right).unwrap_or_else(|| panic!("{right} in\n{program}"));
+        let place = program[..change].rfind(right).unwrap_or_else(|| panic!("{right} in\n{program}"));
         // Preselected, it is the right one in sequence.
         let edited = format!("{}{wrong}{}", &program[..place], &program[place + right.len()..]);
         let found = again::<OneTable>("fanuc", Mode::Axes, SHOP, THREE, &edited);
@@ -316,4 +322,24 @@ fn coolant_drains_with_the_spindle_off() {
                   control.coolant = { through = [\"M88\", \"M89\"] }\n";
     let data = THREE.replace("COOLNT/ON", "COOLNT/THRU");
     posted_right::<OneTable>("fanuc", Mode::Axes, set_up, &data);
+}
+
+/// A probe measures where the last motion of its operation has led it; the operation ends after that.
+#[test]
+fn a_probe_measures_within_its_operation() {
+    let set_up = "retract.distance = 20\nprogram.operation_end = [\"M78\"]\nprogram.operation_start = [\"M79\"]\n\
+                  control.effects = { M78 = \"none\", M79 = \"none\" }\n\
+                  [cycles.probe]\n\"PROBE/BORE,20\" = [\"G65 P9810 Z-5. F3000.\"]\n";
+    let data = "UNITS/MM\nTOOL PATH/PROBE,TOOL,P\nLOADTL/9,LENGTH,150\nSPINDL/OFF\nRAPID\nGOTO/10,20,30,0,0,1\nRAPID\nGOTO/10,20,5\n\
+                PROBE/BORE, 20\nRAPID\nGOTO/10,20,30\nTOOL PATH/CUT,TOOL,M\nLOADTL/1,LENGTH,100\nSPINDL/RPM,2000,CLW\nRAPID\nGOTO/0,0,30\n\
+                FEDRAT/MMPM,300\nGOTO/0,0,20\n";
+    for control in ["fanuc", "haas"] {
+        let program = posted_right::<OneTable>(control, Mode::Axes, set_up, data);
+        let place = program.find("G65").expect("the probe");
+        assert!(!program[..place].contains("M78"), "{program}");
+        let end = program.find("M78\n").expect("the end of its operation");
+        let lost = format!("{}{}", &program[..end], &program[end + 4..]);
+        let found = again::<OneTable>(control, Mode::Axes, set_up, data, &lost);
+        assert!(found.iter().any(|text| text.contains("`M78`")), "{found:?}\n{lost}");
+    }
 }

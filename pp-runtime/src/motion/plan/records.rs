@@ -73,7 +73,9 @@ pub(crate) fn come_to_name<S: Sink>(planner: &mut Planner<'_, S>, leaves: bool) 
 
 impl<S: Sink> Records<'_, '_, S> {
     fn take(&mut self, event: &Event<'_>) -> Planned {
-        if self.between {
+        // A probe measures within its operation, where the last motion has led it.
+        let probes = matches!(event, Event::Interruption(Interruption::Probe(_)));
+        if self.between && !probes {
             self.planner.end_operation()?;
         }
         match *event {

@@ -76,7 +76,8 @@ pub fn verdict(original: &Trace, edited: &Result<Trace, Refused>, allowed: Allow
         }
     }
     let skippable = |trace: &Trace| trace.blocks.iter().map(|block| block.skippable).collect::<Vec<_>>();
-    if skippable(original) != skippable(edited) {
+    let skips = [original, edited].iter().any(|trace| trace.blocks.iter().any(|block| block.skippable));
+    if skips && skippable(original) != skippable(edited) {
         soft = soft.or_else(|| Some("a block without effect that may be skipped".to_owned()));
     }
     if edited.blank != original.blank {

@@ -277,6 +277,7 @@ fn judged(posted: &Posted, edit: &Edit, order: bool, tally: &mut Tally) -> Optio
         (Verdict::Harmless, Some(found))
             if found.contains("from a program before")
                 || found.contains("between the holes of rigid tapping")
+                || found.contains("has no meaning in this block")
                 || found.contains("rotary words where the program gives the tool axis by its components")
                 || ["since the complete state", "after its restart point"].iter().any(|text| found.contains(text))
                     && edit.text.to_lowercase().contains("stays in the spindle") =>

@@ -107,6 +107,8 @@ pub(in crate::check) enum DutyPlace {
     Stop,
     /// A block of the CL data that is copied.
     Copied,
+    /// A block with which a probe measures.
+    Probe,
     /// A dwell of the CL data.
     Wait,
     /// Blocks that may be skipped begin or end.
@@ -203,7 +205,7 @@ pub(super) const OWED: [Owed; 14] = [
 
 /// What must be so at each place.
 #[rustfmt::skip]
-pub(in crate::check) const NEEDED: [Needed; 71] = [
+pub(in crate::check) const NEEDED: [Needed; 73] = [
     needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
     needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
@@ -231,6 +233,9 @@ pub(in crate::check) const NEEDED: [Needed; 71] = [
     needed(DutyPlace::Copied, Duty::OperationEnded, always, ""),
     needed(DutyPlace::Copied, Duty::CutsEnded, always, ""),
     needed(DutyPlace::Copied, Duty::ClampsOfCuts, always, ""),
+
+    needed(DutyPlace::Probe, Duty::CutsEnded, always, ""),
+    needed(DutyPlace::Probe, Duty::ClampsOfCuts, always, ""),
 
     needed(DutyPlace::Wait, Duty::Parking, always, ""),
 
