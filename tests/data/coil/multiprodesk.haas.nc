@@ -30,9 +30,9 @@ O00001 (COIL)
 (CONDITION rapids as `control.linear_rapids` has them [setting 335])
 (CONDITION setting 108 does not rotate an axis at G28 that the program leaves)
 (where it is)
-(CONDITION off, or not installed [`control.functions` has them ended]: G51)
-(scaling, G68 rotation, G268 tilted plane, G254 dynamic work offset, G187)
-(smoothing, settings 85 and 191)
+(CONDITION off at the start, or not installed [`control.functions` has them)
+(ended]: G51 scaling, G68 rotation, G268 tilted plane, G254 dynamic work)
+(offset, G187 smoothing, settings 85 and 191)
 (OPERATION COIL)
 N1 G21 G17 G40 G49 G80 G90 G94 G55
 M09

@@ -25,7 +25,7 @@
 24 ; CONDITION no preset of a pallet is added to the preset of the program
 25 ; CONDITION the kinematics in force are those of this machine and head
 26 ; CONDITION L and DL of the tool table are the lengths of the tools
-27 ; CONDITION none of M89, M103, M109, M110, M124, M136, M138 and M144 is in force
+27 ; CONDITION none of M89, M101, M103, M109, M110, M118, M120, M124, M136, M138, M144 and M148 is in force
 28 ; CONDITION the preset has no 3-D basic rotation (SPA, SPB, SPC)
 29 ; CONDITION no cycle 32 of a program before is in force
 30 * - COIL

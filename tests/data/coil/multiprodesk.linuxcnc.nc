@@ -18,6 +18,7 @@
 (the entries of A in G55 must be zero)
 (T4 DIA 4 R2 L92.3 H4, 1 operation, tip Z -18.388 to 47.342)
 (CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool table is in the unit of the machine [LINEAR_UNITS])
 (CONDITION the tool table has lengths in Z alone: G43 takes its other columns as well)
 (CONDITION no external offset of an axis is on [HAL pins axis.*.eoffset])
 (CONDITION no adaptive feed is on [M52 P0])

@@ -21,6 +21,7 @@
 (T5 DIA 16 R0 L132.5 H5, 3 operations, tip Z -13.517 to 58.514)
 (T6 DIA 6 R0 L97.25 H6, 1 operation, tip Z -4.281 to 61.011)
 (CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool table is in the unit of the machine [LINEAR_UNITS])
 (CONDITION the tool table has lengths in Z alone: G43 takes its other columns as well)
 (CONDITION no external offset of an axis is on [HAL pins axis.*.eoffset])
 (CONDITION no adaptive feed is on [M52 P0])

@@ -18,6 +18,7 @@
 (the entries of A in G54 must be zero)
 (T12 DIA 0.375 R0 L4.75 H12, 1 operation, tip Z -0.2227 to 2.8269)
 (CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool table is in the unit of the machine [LINEAR_UNITS])
 (CONDITION the tool table has lengths in Z alone: G43 takes its other columns as well)
 (CONDITION no external offset of an axis is on [HAL pins axis.*.eoffset])
 (CONDITION no adaptive feed is on [M52 P0])

@@ -20,6 +20,7 @@
 (T3 DIA 0.25 L4 H3, 1 operation, tip Z -0.4 to 1)
 (T3 posted with L = 4: H3 must hold exactly this)
 (CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool table is in the unit of the machine [LINEAR_UNITS])
 (CONDITION the tool table has lengths in Z alone: G43 takes its other columns as well)
 (CONDITION no external offset of an axis is on [HAL pins axis.*.eoffset])
 (CONDITION no adaptive feed is on [M52 P0])

@@ -23,6 +23,7 @@
 (T2 DIA 5 L130 H2, 2 operations, tip Z -15 to 60)
 (T2 posted with L = 130: H2 must hold exactly this)
 (CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool table is in the unit of the machine [LINEAR_UNITS])
 (CONDITION the tool table has lengths in Z alone: G43 takes its other columns as well)
 (CONDITION no external offset of an axis is on [HAL pins axis.*.eoffset])
 (CONDITION no adaptive feed is on [M52 P0])

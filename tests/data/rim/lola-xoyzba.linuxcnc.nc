@@ -19,6 +19,7 @@
 (T7 DIA 8 L84.3 H7, 1 operation, tip Z -4.2 to 54.606)
 (T7 posted with L = 84.3: H7 must hold exactly this)
 (CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool table is in the unit of the machine [LINEAR_UNITS])
 (CONDITION the tool table has lengths in Z alone: G43 takes its other columns as well)
 (CONDITION no external offset of an axis is on [HAL pins axis.*.eoffset])
 (CONDITION no adaptive feed is on [M52 P0])

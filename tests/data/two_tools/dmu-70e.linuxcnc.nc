@@ -21,6 +21,7 @@
 (T1 DIA 20 R0 L120 H1, 1 operation, tip Z -26 to 49.301)
 (T2 DIA 8 R0 L95 H2, 1 operation, tip Z -3.759 to 52.623)
 (CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool table is in the unit of the machine [LINEAR_UNITS])
 (CONDITION the tool table has lengths in Z alone: G43 takes its other columns as well)
 (CONDITION no external offset of an axis is on [HAL pins axis.*.eoffset])
 (CONDITION no adaptive feed is on [M52 P0])

@@ -33,7 +33,7 @@ pub(super) const STATES: &[StateRow] = &[
     state("R and DR of the tool table", "offset of RL and RR", Noted(|codes| codes.radius_data[0]), Compensation, "TNC 620 user's manual 1/2022, p. 134").because("the radius is that of the real tool"),
     state("master axis of SEQ", "which of two poses the rotary axes take", Noted(|codes| codes.plane.as_ref().map_or("", |plane| plane.note)), Planes, MANUAL)
         .because("it is machine data; a guard compares the axes"),
-    state("M89, M103, M109, M110, M124, M136, M138, M144", "cycles, F, points and axes of motions", Stated("none of M89, M103, M109, M110, M124, M136, M138 and M144 is in force"), Every, M_FUNCTIONS)
+    state("M89, M101, M103, M109, M110, M118, M120, M124, M136, M138, M144, M148", "cycles, F, points and axes of motions", Stated("none of M89, M101, M103, M109, M110, M118, M120, M124, M136, M138, M144 and M148 is in force"), Every, M_FUNCTIONS)
         .because("no single code ends them, and not every control has all"),
     state("SPA, SPB, SPC of the preset", "3-D basic rotation", Stated("the preset has no 3-D basic rotation (SPA, SPB, SPC)"), Every, "").because("no public manual has its number for FN 18"),
     state("cycle 32", "deviation from the path", Stated("no cycle 32 of a program before is in force"), Every, "").because("not every control has it"),

@@ -31,6 +31,8 @@ pub(super) const STATES: &[StateRow] = &[
         .because("G10 L2 R0 would clear what a probing screen has set"),
     state("tool table", "length of H", Compared(LENGTH, "the tool table has the lengths of the tools (Z)"), Every, "LinuxCNC 2.9, tool compensation")
         .because("the length is that of the real tool"),
+    state("LINEAR_UNITS", "unit of the tool table", Stated("the tool table is in the unit of the machine (LINEAR_UNITS)"), Every, "LinuxCNC 2.9, INI configuration, TRAJ section")
+        .because("no parameter has the unit of the table"),
     state("X, Y and rotary columns of the tool table", "G43 moves these axes as well", Stated("the tool table has lengths in Z alone: G43 takes its other columns as well"), Every, "interp_convert.cc, convert_tool_length_offset")
         .because("the guard compares the length"),
     state("external offsets", "place of the axes", Stated("no external offset of an axis is on (HAL pins axis.*.eoffset)"), Every, "linuxcnc.org, external offsets")

@@ -194,7 +194,10 @@ pub(crate) fn conditions(control: &dyn Control, options: &ControlOptions, uses: 
         }
     }
     if !absent.is_empty() {
-        list.push(format!("off, or not installed (`control.functions` has them ended): {}", absent.join(", ")));
+        list.push(format!(
+            "off at the start, or not installed (`control.functions` has them ended): {}",
+            absent.join(", ")
+        ));
     }
     if own_safety {
         let set = of(control.family()).iter().filter_map(|row| match row.by {

@@ -2,7 +2,7 @@
 
 use super::MillTurnSets;
 use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated, StatedUnless};
-use super::StateUse::{Compensation, Every, Planes, Rotary};
+use super::StateUse::{Compensation, Every, Kinematics, Planes, Rotary};
 use super::{LENGTH, StateRow, state};
 use crate::control::options::ControlFunction;
 
@@ -40,6 +40,7 @@ pub(super) const STATES: &[StateRow] = &[
     state("CUT2DF, CDOF, KONT, G451", "way of G41 and G42 to the contour and around its corners", Stated("CUT2D, NORM and G450 are in force, as after reset"), Compensation, "").because("machine data selects them at reset"),
     state("direction reference of CYCLE800", "which of two poses the rotary axes take", Noted(|codes| codes.plane.as_ref().map_or("", |plane| plane.note)), Planes, "828D operating manual, 10.6")
         .because("it is part of the swivel data; a guard compares the axes"),
+    state("$TC_CARR, MD24100 to MD24599", "where the rotary axes are for CYCLE800 and TRAORI", Stated("swivel data and data of TRAORI are those of this machine (`kinematics --siemens`)"), Kinematics, "IM9 03/2013, p. 502").because(DATA),
     state("SD42940, SD42950", "axis of the tool length", Stated("length 1 of a tool lies along Z in G17 (SD42940)"), Every, "6FC5398-1BP10-2BA0, 8.17.4").because(DATA),
     state("G291", "codes are those of ISO", Stated("the control is in Siemens mode (G290)"), Every, "").because("without ISO mode its code may be unknown"),
     state("DIAMON", "X is a diameter", StatedUnless(MillTurnSets::Radius, "X is a radius (DIAMOF)"), Every, "").because("without a transverse axis its code may raise an alarm"),

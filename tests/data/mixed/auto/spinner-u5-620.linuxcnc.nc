@@ -28,6 +28,7 @@
 (T3 end mill 10 DIA 10 L100 H3, 3 operations, tip Z 0 to 55.704)
 (T4 ball 6 DIA 6 L130 H4, 1 operation, tip Z 10 to 60.963)
 (CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool table is in the unit of the machine [LINEAR_UNITS])
 (CONDITION the tool table has lengths in Z alone: G43 takes its other columns as well)
 (CONDITION no external offset of an axis is on [HAL pins axis.*.eoffset])
 (CONDITION no adaptive feed is on [M52 P0])

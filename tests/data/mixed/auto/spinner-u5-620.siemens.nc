@@ -33,6 +33,7 @@
 ; CONDITION T selects a tool, and M6 changes it (MD22550 = 1)
 ; CONDITION the edges of the tools have their lengths (length 1)
 ; CONDITION CUT2D, NORM and G450 are in force, as after reset
+; CONDITION swivel data and data of TRAORI are those of this machine (`kinematics --siemens`)
 ; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
 ; CONDITION the control is in Siemens mode (G290)
 ; CONDITION X is a radius (DIAMOF)

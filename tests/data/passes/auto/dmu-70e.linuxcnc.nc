@@ -20,6 +20,7 @@
 (the entries of C and B in G54 must be zero)
 (T4 ball 8 DIA 8 L130 H4, 1 operation, tip Z 3 to 23.126)
 (CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool table is in the unit of the machine [LINEAR_UNITS])
 (CONDITION the tool table has lengths in Z alone: G43 takes its other columns as well)
 (CONDITION no external offset of an axis is on [HAL pins axis.*.eoffset])
 (CONDITION no adaptive feed is on [M52 P0])

@@ -26,6 +26,7 @@
 (T2 drill 8 L140 H2, 1 operation, tip Z -26 to 60)
 (T3 ball 6 DIA 6 R3 L110 H3, 1 operation, tip Z 19.799 to 50.912)
 (CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool table is in the unit of the machine [LINEAR_UNITS])
 (CONDITION the tool table has lengths in Z alone: G43 takes its other columns as well)
 (CONDITION no external offset of an axis is on [HAL pins axis.*.eoffset])
 (CONDITION no adaptive feed is on [M52 P0])

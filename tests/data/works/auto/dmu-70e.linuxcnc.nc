@@ -25,6 +25,7 @@
 (T2 DIA 5 L130 H2, 1 operation, tip Z -15.078 to 28.689)
 (T3 DIA 6 L95 H3, 1 operation, tip Z -10 to 25)
 (CONDITION the tool table has the lengths of the tools [Z])
+(CONDITION the tool table is in the unit of the machine [LINEAR_UNITS])
 (CONDITION the tool table has lengths in Z alone: G43 takes its other columns as well)
 (CONDITION no external offset of an axis is on [HAL pins axis.*.eoffset])
 (CONDITION no adaptive feed is on [M52 P0])

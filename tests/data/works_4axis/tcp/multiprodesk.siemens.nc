@@ -25,6 +25,7 @@
 ; CONDITION no offset by TOFFON or a synchronised action is on
 ; CONDITION T selects a tool, and M6 changes it (MD22550 = 1)
 ; CONDITION the edges of the tools have their lengths (length 1)
+; CONDITION swivel data and data of TRAORI are those of this machine (`kinematics --siemens`)
 ; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
 ; CONDITION the control is in Siemens mode (G290)
 ; CONDITION X is a radius (DIAMOF)
