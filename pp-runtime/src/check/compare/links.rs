@@ -93,10 +93,13 @@ impl Comparison<'_> {
         parks
     }
 
-    /// Without GOHOME the axes are parked when all else is done.
+    /// The axes are parked when the operation has ended, without GOHOME when all else is done.
     pub(super) fn parks_at_end(&mut self, current: &Current<'_>) {
-        if self.progress.next().is_none() && !self.duties.owes(Duty::Parking) {
-            self.come_to(DutyPlace::Park, None, current);
+        match self.duties.owes(Duty::Parking) {
+            _ if self.progress.next().is_some() => {}
+            // GOHOME is a record: it ends the operation, and lines that end the work of the tool come after it.
+            true => self.ends_operation(current),
+            false => self.come_to(DutyPlace::Park, None, current),
         }
     }
 

@@ -276,6 +276,7 @@ fn judged(posted: &Posted, edit: &Edit, order: bool, tally: &mut Tally) -> Optio
         // tried, what it lacks is not in them.
         (Verdict::Harmless, Some(found))
             if found.contains("from a program before")
+                || found.contains("this restart point does not end it")
                 || found.contains("between the holes of rigid tapping")
                 || found.contains("has no meaning in this block")
                 || found.contains("rotary words where the program gives the tool axis by its components")
