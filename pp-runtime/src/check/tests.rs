@@ -427,7 +427,7 @@ GOTO/39.2282,4.3779,28.3778
 ";
     let set_up = "course = { prefer = \"C+\" }\nlimits = { C = [-200, 200] }\nretract = { distance = 76 }\n";
     let program = posted_right::<Tables>("siemens", Mode::Tcp, set_up, data);
-    assert_eq!(program.matches("TRAORI").count(), 2, "{program}");
+    assert_eq!(program.matches("\nTRAORI").count(), 2, "{program}");
 }
 
 /// ROTABL/NEXT turns the table for a point that repeats, and the tool comes back to it.

@@ -79,7 +79,8 @@ impl Comparison<'_> {
             if !changes[index] {
                 continue;
             }
-            let twice = self.previous.switched[index] && known[index] && block.own.is_none() && !at_part;
+            let stops = matches!(block.action, Action::ToolChange | Action::End);
+            let twice = self.previous.switched[index] && known[index] && block.own.is_none() && !at_part && !stops;
             // Further kinds of coolant may come on.
             if twice && (index == 0 || !is_on[index]) {
                 self.found(
