@@ -201,7 +201,7 @@ impl Comparison<'_> {
             self.restarts.end();
         }
         if let Some(last) = self.progress.last().filter(|_| at_part) {
-            let fault = self.rules.fault_after_motion(&block.state, last);
+            let fault = self.rules.fault_in_offset(&block.state, last);
             self.found_state(current, fault);
         }
         self.duties.happens(DutyEvent::Retract);

@@ -225,8 +225,8 @@ impl Rules<'_> {
             .or_else(|| offsets?.changed(OffsetsInForce::of(state), called))
     }
 
-    /// In the machine retract after a motion: its work offset is still in force.
-    pub(crate) fn fault_after_motion(&self, state: &State, last: &Required) -> Option<StateFault> {
+    /// At the retract, after a motion or before one: its work offset is in force.
+    pub(crate) fn fault_in_offset(&self, state: &State, last: &Required) -> Option<StateFault> {
         // One that tip control may have cancelled may be in force as well.
         let work_offset = state.work_offset.or(state.cancelled_offset);
         self.offsets(&State { work_offset, ..*state }, last, false)
@@ -271,13 +271,10 @@ impl Rules<'_> {
         last: Option<&Required>,
         context: ModalContext,
     ) -> Option<StateFault> {
-        // A work offset that tip control may have cancelled may be in force as well.
-        let work_offset = block.state.work_offset.or(block.state.cancelled_offset);
-        let state = &State { work_offset, ..block.state };
-        self.everywhere(state, Side::None, context)
+        self.everywhere(&block.state, Side::None, context)
             .or_else(|| self.frame(block, FrameUse::Without))
             .map(StateFault::from)
-            .or_else(|| last.and_then(|last| self.offsets(state, last, false)))
+            .or_else(|| last.and_then(|last| self.fault_in_offset(&block.state, last)))
             .or_else(|| still_on(block))
     }
 
@@ -309,7 +306,7 @@ impl Rules<'_> {
             .map(StateFault::from)
             .or_else(|| match probed {
                 Some(probed) => self.offsets(before, probed, true),
-                None => self.fault_after_motion(before, required?),
+                None => self.fault_in_offset(before, required?),
             })
     }
 

@@ -1,11 +1,7 @@
 //! Restart points, ends, and the lines of the shop between two cuts.
 
+use super::order::TWO_OPERATIONS;
 use super::*;
-
-/// Two operations of two tools.
-const TWO_TOOLS: &str = "UNITS/MM\nTOOL PATH/FIRST,TOOL,T1\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\nGOTO/0,0,50\n\
-                         GOTO/0,0,0\nGOTO/20,0,0\nGOTO/20,0,50\nTOOL PATH/SECOND,TOOL,T2\nLOADTL/2\nSPINDL/RPM,1000,CLW\nRAPID\n\
-                         GOTO/0,9,50\nGOTO/0,9,2\nGOTO/20,9,2\nGOTO/20,9,50\n";
 
 const ISO: [&str; 4] = ["linuxcnc", "fanuc", "haas", "siemens"];
 
@@ -21,14 +17,14 @@ fn restart(program: &str) -> &str {
 fn a_mode_that_only_the_blocks_before_a_restart_point_have_is_found() {
     let set_up = "retract.distance = 20\n";
     for control in ISO {
-        let program = posted_right::<Mill>(control, Mode::Axes, set_up, TWO_TOOLS);
+        let program = posted_right::<Mill>(control, Mode::Axes, set_up, TWO_OPERATIONS);
         let line = restart(&program);
         for mode in [" G17", " G90", " G94", " G40"] {
             let without = line.replace(mode, "");
             assert_ne!(without, line, "{control}: {mode}");
             let place = program.rfind(line).expect("the block");
             let edited = format!("{}{without}{}", &program[..place], &program[place + line.len()..]);
-            let found = again::<Mill>(control, Mode::Axes, set_up, TWO_TOOLS, &edited);
+            let found = again::<Mill>(control, Mode::Axes, set_up, TWO_OPERATIONS, &edited);
             assert!(
                 found.iter().any(|text| text.contains("at the restart point of this operation")),
                 "{found:?}\n{edited}"
@@ -46,7 +42,7 @@ const OF_TOOLS: &str = "retract.distance = 20\ncycles.measure_tool = [\"G65 P902
 
 #[test]
 fn a_line_for_a_tool_that_comes_twice_is_found() {
-    let program = posted_right::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, TWO_TOOLS);
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, TWO_OPERATIONS);
     for line in [
         "G65 P9023 A12. T1 H1\n",
         "G65 P9023 A22. T1\n",
@@ -57,24 +53,24 @@ fn a_line_for_a_tool_that_comes_twice_is_found() {
     ] {
         let twice = program.replace(line, &line.repeat(2));
         assert_ne!(twice, program, "{line}");
-        let found = again::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, TWO_TOOLS, &twice);
+        let found = again::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, TWO_OPERATIONS, &twice);
         assert!(found.iter().any(|text| text.contains("once more than it has to")), "{line}: {found:?}\n{twice}");
     }
 }
 
 #[test]
 fn the_axes_go_to_the_position_for_measuring_under_the_work_offset() {
-    let program = posted_right::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, TWO_TOOLS);
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, TWO_OPERATIONS);
     for offset in ["", " G55"] {
         let edited = program.replacen(" G54\n", &format!("{offset}\n"), 1);
-        let found = again::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, TWO_TOOLS, &edited);
+        let found = again::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, TWO_OPERATIONS, &edited);
         assert!(found.iter().any(|text| text.contains("work offset is")), "{found:?}\n{edited}");
     }
 }
 
 #[test]
 fn the_machine_retracts_after_a_line_of_the_shop_before_blocks_that_may_be_skipped() {
-    let data = TWO_TOOLS.replace("TOOL PATH/SECOND", "OPSKIP/ON\nTOOL PATH/SECOND");
+    let data = TWO_OPERATIONS.replace("TOOL PATH/SECOND", "OPSKIP/ON\nTOOL PATH/SECOND");
     let program = posted_right::<OneTable>("fanuc", Mode::Axes, OF_TOOLS, &data);
     let skip = program.find("\n/").expect("a block that may be skipped");
     let retract = program[..skip].rfind('\n').expect("the retract before it") + 1;
@@ -86,10 +82,10 @@ fn the_machine_retracts_after_a_line_of_the_shop_before_blocks_that_may_be_skipp
 #[test]
 fn the_tool_that_is_selected_is_the_next_one() {
     let set_up = "retract.distance = 20\n";
-    let program = posted_right::<Mill>("fanuc", Mode::Axes, set_up, TWO_TOOLS);
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, set_up, TWO_OPERATIONS);
     for (right, wrong) in [("T1 M6\nT2\n", "T1 M6\nT3\n"), ("T2 M6\nT1\n", "T2 M6\nT3\n")] {
         assert!(program.contains(right), "{program}");
-        let found = again::<Mill>("fanuc", Mode::Axes, set_up, TWO_TOOLS, &program.replace(right, wrong));
+        let found = again::<Mill>("fanuc", Mode::Axes, set_up, TWO_OPERATIONS, &program.replace(right, wrong));
         assert!(found.iter().any(|text| text.contains("T3 ") && text.contains("selected")), "{found:?}");
     }
 }
@@ -131,11 +127,11 @@ fn an_offset_or_a_function_that_is_left_at_the_end_is_found() {
         ("siemens", "M30", &["G55", "D2", "TRAORI", "CYCLE832(0.01,1,1)"]),
         ("linuxcnc", "M2", &["G55", "G43 H1", "G41.1 D5"]),
     ] {
-        let program = posted_right::<OneTable>(control, Mode::Axes, set_up, TWO_TOOLS);
+        let program = posted_right::<OneTable>(control, Mode::Axes, set_up, TWO_OPERATIONS);
         for code in codes {
             let left = program.replace(&format!("{end}\n"), &format!("{code}\n{end}\n"));
             assert_ne!(left, program);
-            assert_told::<OneTable>(control, Mode::Axes, set_up, TWO_TOOLS, &left);
+            assert_told::<OneTable>(control, Mode::Axes, set_up, TWO_OPERATIONS, &left);
         }
     }
 }
@@ -166,7 +162,7 @@ fn a_turning_machine_states_its_modes_at_each_restart_point() {
         ("fanuc", turning("[\"M203\", \"M204\", \"M205\"]", "G122.1"), "S2000\nM203\n", "M205\n", ["M3", "M5"]),
         ("siemens", turning("3", "DIAMOF"), "S3=2000\nM3=3\n", "M3=5\n", ["M3", "M5"]),
     ] {
-        let program = posted_right::<OneTable>(control, Mode::Axes, &set_up, TWO_TOOLS);
+        let program = posted_right::<OneTable>(control, Mode::Axes, &set_up, TWO_OPERATIONS);
         assert!(program.contains(on) && program.contains(off), "{program}");
         assert!(!program.contains("1006#3") && !program.contains("X is a radius"), "{program}");
         let modes = "M200\nM252\n";
@@ -174,28 +170,28 @@ fn a_turning_machine_states_its_modes_at_each_restart_point() {
         for line in [modes, if control == "fanuc" { "G122.1\n" } else { "DIAMOF\n" }] {
             let place = program.rfind(line).expect("the modes of the second restart point");
             let lost = format!("{}{}", &program[..place], &program[place + line.len()..]);
-            let found = again::<OneTable>(control, Mode::Axes, &set_up, TWO_TOOLS, &lost);
+            let found = again::<OneTable>(control, Mode::Axes, &set_up, TWO_OPERATIONS, &lost);
             assert!(found.iter().any(|text| text.contains("`control.mill_turn` is missing")), "{found:?}\n{lost}");
             let after = lost[place..].find("1000\n").expect("the second speed") + place + 5;
             let late = format!("{}{line}{}", &lost[..after], &lost[after..]);
-            let found = again::<OneTable>(control, Mode::Axes, &set_up, TWO_TOOLS, &late);
+            let found = again::<OneTable>(control, Mode::Axes, &set_up, TWO_OPERATIONS, &late);
             assert!(found.iter().any(|text| text.contains("before the machine retract")), "{found:?}\n{late}");
         }
         let [of_control, stop] = others;
         for (right, wrong) in [(on.lines().last().unwrap_or_default(), of_control), (off.trim_end(), stop)] {
             let edited = program.replace(&format!("\n{right}\n"), &format!("\n{wrong}\n"));
             assert_ne!(edited, program);
-            let found = again::<OneTable>(control, Mode::Axes, &set_up, TWO_TOOLS, &edited);
+            let found = again::<OneTable>(control, Mode::Axes, &set_up, TWO_OPERATIONS, &edited);
             assert!(
                 found.iter().any(|text| text.contains("another spindle than that of the tool")),
                 "{found:?}\n{edited}"
             );
         }
         let slow = program.replace(on, &on.replace("2000", "200"));
-        assert_told::<OneTable>(control, Mode::Axes, &set_up, TWO_TOOLS, &slow);
+        assert_told::<OneTable>(control, Mode::Axes, &set_up, TWO_OPERATIONS, &slow);
     }
     // Without the key the program states what must be so.
-    let plain = posted_right::<OneTable>("fanuc", Mode::Axes, "retract.distance = 20\n", TWO_TOOLS);
+    let plain = posted_right::<OneTable>("fanuc", Mode::Axes, "retract.distance = 20\n", TWO_OPERATIONS);
     assert!(plain.contains("1006#3"), "{plain}");
     let tap = "UNITS/MM\nLOADTL/1\nSPINDL/500,CLW\nRAPID\nGOTO/0,0,50\nCYCLE/TAP,DEPTH,10,CLEAR,5,MMPR,1.25\nGOTO/0,0,0\nCYCLE/OFF\n\
                RAPID\nGOTO/0,0,50\n";
@@ -266,10 +262,10 @@ fn a_restart_point_has_all_that_an_entry_there_needs() {
         assert!(found.iter().any(|found| found.contains(text)), "{right}: {found:?}\n{edited}");
     }
     // In sequence A is where it has to be.
-    let program = posted_right::<OneTable>("fanuc", Mode::Axes, SHOP, TWO_TOOLS);
+    let program = posted_right::<OneTable>("fanuc", Mode::Axes, SHOP, TWO_OPERATIONS);
     let release = program.rfind("M11\n").expect("the release");
     let edited = format!("{}{}", &program[..release], &program[release + 4..]);
-    let found = again::<OneTable>("fanuc", Mode::Axes, SHOP, TWO_TOOLS, &edited);
+    let found = again::<OneTable>("fanuc", Mode::Axes, SHOP, TWO_OPERATIONS, &edited);
     assert!(
         found.iter().any(|text| text.contains("has not been released after the restart point")),
         "{found:?}\n{edited}"
@@ -292,13 +288,13 @@ fn a_block_of_the_shop_in_a_guard_is_found() {
     let set_up = "retract.distance = 20\nlength_guard = true\nprogram.operation_start = [\"M131\"]\ncontrol.effects = { M131 = \"none\" }\n\
                   tools = { 1 = { length = 120.0 }, 2 = { length = 95.0 } }\n";
     for (control, end) in [("siemens", "ENDIF\n"), ("linuxcnc", "endif\n")] {
-        let program = posted_right::<Mill>(control, Mode::Axes, set_up, TWO_TOOLS);
+        let program = posted_right::<Mill>(control, Mode::Axes, set_up, TWO_OPERATIONS);
         let line = program.rfind("M131\n").expect("the line of the shop");
         let without = format!("{}{}", &program[..line], &program[line + 5..]);
         let guard = without[..line].rfind(end).expect("a guard before it");
         let start = without[..guard].rfind('\n').expect("its line") + 1;
         let edited = format!("{}M131\n{}", &without[..start], &without[start..]);
-        let found = again::<Mill>(control, Mode::Axes, set_up, TWO_TOOLS, &edited);
+        let found = again::<Mill>(control, Mode::Axes, set_up, TWO_OPERATIONS, &edited);
         assert!(found.iter().any(|text| text.contains("in a guard")), "{control}: {found:?}\n{edited}");
     }
 }

@@ -3,7 +3,7 @@
 use super::*;
 
 /// Two operations of two tools.
-const TWO_OPERATIONS: &str = "UNITS/MM\nTOOL PATH/FIRST,TOOL,T1\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\n\
+pub(super) const TWO_OPERATIONS: &str = "UNITS/MM\nTOOL PATH/FIRST,TOOL,T1\nLOADTL/1\nSPINDL/RPM,2000,CLW\nFEDRAT/300,MMPM\nRAPID\n\
                               GOTO/0,0,50\nGOTO/0,0,0\nGOTO/20,0,0\nGOTO/20,0,50\nTOOL PATH/SECOND,TOOL,T2\nLOADTL/2\n\
                               SPINDL/RPM,1000,CLW\nRAPID\nGOTO/0,9,50\nGOTO/0,9,2\nGOTO/20,9,2\nGOTO/20,9,50\n";
 

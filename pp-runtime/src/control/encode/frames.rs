@@ -20,9 +20,9 @@ pub(crate) struct FrameWriter {
     /// Functions that are listed as installed.
     functions: Option<Vec<ControlFunction>>,
     tip_control: Option<[String; 2]>,
-    /// Blocks of a turning machine after it.
-    mill_turn: Vec<String>,
     safety: Option<Vec<String>>,
+    /// Blocks of a turning machine after the safety blocks.
+    mill_turn: Vec<String>,
     tool_change: Option<Vec<String>>,
     numbers: BlockNumbers,
     /// Restart points with a tool change so far.

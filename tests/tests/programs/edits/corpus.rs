@@ -107,6 +107,15 @@ fn merged(config: &str, more: &str) -> String {
     format!("{keys}{more_keys}{sections}\n{more_sections}")
 }
 
+/// Adds a case that can be posted; a long run names the others.
+fn add(programs: &mut Vec<Posted>, case: &Case<'_>) {
+    match Posted::of(case) {
+        Ok(posted) => programs.push(posted),
+        Err(why) if environment::number("PP_EDITS").is_some() => println!("{}: {why}", case.name),
+        Err(_) => {}
+    }
+}
+
 /// The part with every feature, with options that golden programs do not have.
 fn with_options(programs: &mut Vec<Posted>) {
     for (index, more) in OPTIONS.iter().enumerate() {
@@ -118,11 +127,7 @@ fn with_options(programs: &mut Vec<Posted>) {
                     let golden = Golden { mode, name, ..Golden::read(&path) };
                     let config = merged(&golden.keys, more);
                     let case = Case { control, config: &config, idle: &["M10", "M11"], ..case(&golden) };
-                    match Posted::of(&case) {
-                        Ok(posted) => programs.push(posted),
-                        Err(why) if environment::number("PP_EDITS").is_some() => println!("{}: {why}", golden.name),
-                        Err(_) => {}
-                    }
+                    add(programs, &case);
                 }
             }
         }
@@ -155,11 +160,7 @@ fn of_shop(programs: &mut Vec<Posted>) {
                     cl: SHOP_CL.as_bytes(),
                     idle: &SHOP_BLOCKS,
                 };
-                match Posted::of(&case) {
-                    Ok(posted) => programs.push(posted),
-                    Err(why) if environment::number("PP_EDITS").is_some() => println!("{name}: {why}"),
-                    Err(_) => {}
-                }
+                add(programs, &case);
             }
         }
     }
