@@ -240,8 +240,11 @@ impl Comparison<'_> {
         let step = end.tip - hole.clearance_point().tip;
         let leads_off_mm =
             || along(step).abs() * lean_of_words(&self.rules, block, [0.0, 1.0], &hole.hole).unwrap_or(0.0);
-        let off_mm = (step - end.axis * along(step)).norm();
-        let over = off_mm <= largest || off_mm <= largest + leads_off_mm().min(part.required.tolerance_mm);
+        let off = |step: Vector3<f64>| (step - end.axis * along(step)).norm();
+        let is_over =
+            |off_mm: f64| off_mm <= largest || off_mm <= largest + leads_off_mm().min(part.required.tolerance_mm);
+        // The lift off the hole before it is not on its axis.
+        let over = is_over(off(step)) && is_over(off(segment.to.tip - hole.clearance_point().tip));
         let [from, to] = [segment.from.tip, segment.to.tip].map(|tip| along(end.tip - tip));
         let leans_rad = segment.axis_arc().distance(&end.axis);
         // Words across the tool keep the level of a plane that leans as much.

@@ -247,7 +247,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// Changes of length compensation and planes that must not happen at the part.
+    /// Changes of work offset, length compensation and planes that must not happen at the part.
     #[inline(never)]
     fn modes_before_task(&mut self, phase: &Phase, current: &Current<'_>) {
         let block = current.block;
@@ -264,6 +264,11 @@ impl Comparison<'_> {
         }
         if !phase.is_at_part() {
             return;
+        }
+        let offset = |state: &State| state.work_offset.or(state.cancelled_offset);
+        let offsets = offset(&self.setters.at_block).zip(offset(&block.state));
+        if block.own.is_none() && offsets.is_some_and(|(before, now)| before != now) {
+            self.found(current, "the work offset changes before the machine has retracted");
         }
         let facts = *self.rules.facts();
         let changed = matches!(length, Some(Length::Register(_))) && length != block.state.length;

@@ -339,3 +339,29 @@ fn a_probe_measures_within_its_operation() {
         assert!(found.iter().any(|text| text.contains("`M78`")), "{found:?}\n{lost}");
     }
 }
+
+#[test]
+fn a_work_offset_that_changes_in_a_cut_is_found_though_it_comes_back() {
+    for control in ISO {
+        let program = posted_right::<Mill>(control, Mode::Axes, "retract.distance = 20\n", TWO_OPERATIONS);
+        let feed = program.rfind("G1 ").or_else(|| program.rfind("G01 ")).expect("a cut");
+        let line = program[..feed].rfind('\n').expect("its line") + 1;
+        let edited = format!("{}G55\nG54\n{}", &program[..line], &program[line..]);
+        let found = again::<Mill>(control, Mode::Axes, "retract.distance = 20\n", TWO_OPERATIONS, &edited);
+        assert!(found.iter().any(|text| text.contains("work offset changes")), "{control}: {found:?}\n{edited}");
+    }
+}
+
+/// Where each block has every word, the next one leads to the same level all the same.
+#[test]
+fn a_lift_to_the_level_of_the_next_hole_that_is_lost_is_found() {
+    let data = "UNITS/MM\nLOADTL/1\nSPINDL/500,CLW\nRAPID\nGOTO/0,0,50\nCYCLE/DRILL,DEPTH,10,CLEAR,3,MMPM,100\nGOTO/0,0,0\n\
+                GOTO/20,0,2\nCYCLE/OFF\nRAPID\nGOTO/20,0,50\n";
+    let set_up =
+        "cl.dialect = \"iso\"\nretract.distance = 20\ncontrol.every_word = true\ncycles.output = \"expanded\"\n";
+    let program = posted_right::<Mill>("fanuc", Mode::Axes, set_up, data);
+    let lift = program.find("G0 X0. Y0. Z5.\n").expect("the lift");
+    let edited = format!("{}{}", &program[..lift], &program[lift + 15..]);
+    let found = again::<Mill>("fanuc", Mode::Axes, set_up, data, &edited);
+    assert!(!found.is_empty(), "{edited}");
+}
