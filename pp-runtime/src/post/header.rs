@@ -276,6 +276,9 @@ pub(crate) fn conditions(
         length_guard: config.motion.guards.length_guard == Some(true),
     };
     let mut list = control::conditions(control, &config.control, &uses);
+    if survey.skips {
+        list.push("block skip is as meant for this part: where it is on, the blocks with / are left out".to_owned());
+    }
     if rotary && config.control.tip_control == Some(TipControlSwitch::None) {
         list.push("the control has no kinematics with tip control in force, from its start".to_owned());
     }

@@ -19,7 +19,9 @@ use crate::motion::{
     Begins, Course, ItemAction, ModeFinder, MotionIndex, Navigator, OperationSettings, OperationStart, Operations,
     Policy, ProgramItem, Source, Stage, StretchModes, extent, hole_extent,
 };
-use crate::program::{CutterSide, Event, Location, MachineFunction, NewStart, Spindle, TextKind, ToolCall};
+use crate::program::{
+    CutterSide, Event, Interruption, Location, MachineFunction, NewStart, Spindle, TextKind, ToolCall,
+};
 use crate::set_up::{FurtherSetUp, GivenTool};
 
 use super::operations::{OperationNames, OperationSelection};
@@ -81,6 +83,8 @@ pub(crate) struct Survey {
     pub(crate) selected: Option<Result<RangeInclusive<u64>, String>>,
     /// There are holes.
     pub(crate) holes: bool,
+    /// There are blocks that may be skipped at the control.
+    pub(crate) skips: bool,
     /// Holes in steps.
     pub(crate) step_cycles: StepCycles,
     /// First motion whose tool axis is not that of the machine with its rotary axes at zero.
@@ -315,6 +319,7 @@ impl Surveyor {
             Event::NewStart(NewStart::Tool(ToolCall { number: 0, .. })) => self.survey.empties_spindle = true,
             Event::NewStart(NewStart::Tool(call)) => self.call_tool(at, call),
             Event::Function(MachineFunction::Spindle(Spindle::On { .. })) => self.spindle = true,
+            Event::Interruption(Interruption::BlockSkip { .. }) => self.survey.skips = true,
             Event::NewStart(NewStart::SetUp(number)) => {
                 self.first_set_up = number == 1;
                 self.survey.set_ups.insert(number);

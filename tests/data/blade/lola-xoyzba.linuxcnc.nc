@@ -21,6 +21,8 @@
 (CONDITION the tool table has the lengths of the tools [Z])
 (CONDITION the tool table is in the unit of the machine [LINEAR_UNITS])
 (CONDITION the tool table has lengths in Z alone: G43 takes its other columns as well)
+(CONDITION M6 keeps the modes [REMAP], and has room where the axes are, or where it moves them [TOOL_CHANGE_POSITION, _QUILL_UP, _AT_G30])
+(CONDITION S is within the limits of the spindle [MIN_, MAX_FORWARD_VELOCITY])
 (CONDITION no external offset of an axis is on [HAL pins axis.*.eoffset])
 (CONDITION no adaptive feed is on [M52 P0])
 (CONDITION the tool is in spindle 0)

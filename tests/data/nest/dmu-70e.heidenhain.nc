@@ -30,78 +30,79 @@
 29 ; CONDITION the kinematics in force are those of this machine and head
 30 ; CONDITION L and DL of the tool table are the lengths of the tools
 31 ; CONDITION none of M89, M101, M103, M109, M110, M118, M120, M124, M136, M138, M144 and M148 is in force
-32 ; CONDITION the preset has no 3-D basic rotation (SPA, SPB, SPC)
-33 ; CONDITION no cycle 32 of a program before is in force
-34 ; ASSUMED points of the CL data are coordinates from the part zero
-35 ; ASSUMED work offset preset 1
-36 ; ASSUMED retract to machine coordinate 0 mm
-37 ; ASSUMED approach distance 50 mm along the tool axis
-38 ; [HOLDER=H1] 10MM END MILL
-39 M129
-40 PLANE RESET STAY
-41 M127
-42 CYCL DEF 247 DATUM SETTING ~
+32 ; CONDITION the columns X_OFFS to W_OFFS of the preset are 0
+33 ; CONDITION the preset has no 3-D basic rotation (SPA, SPB, SPC)
+34 ; CONDITION no cycle 32 of a program before is in force
+35 ; ASSUMED points of the CL data are coordinates from the part zero
+36 ; ASSUMED work offset preset 1
+37 ; ASSUMED retract to machine coordinate 0 mm
+38 ; ASSUMED approach distance 50 mm along the tool axis
+39 ; [HOLDER=H1] 10MM END MILL
+40 M129
+41 PLANE RESET STAY
+42 M127
+43 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-43 FN 18: SYSREAD QL1 = ID210 NR1
-44 FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET1"
-45 ; a basic rotation lies over the preset
-46 FN 14: ERROR = 102
-47 LBL "OFFSET1"
-48 M9
-49 L Z+0 R0 FMAX M91
-50 TOOL CALL 4 Z S3000
-51 L Z+0 R0 FMAX M91
-52 ; Stock Size X40. Y60. Z40.
-53 M3
-54 L B+0 C+0 R0 FMAX
-55 L X+12.5 Y+20 R0 FMAX
-56 L Z+25 R0 FMAX
-57 M8
-58 L Z+3 R0 FMAX
-59 L Z-2 R0 F150.5
-60 CC X+10 Y+20
-61 C X+12.5 Y+20 DR+ F601.25
-62 L X+10
-63 L Z+60 R0 FMAX
-64 L X+30 R0 FMAX
-65 L Z+3 R0 FMAX
-66 L Z-5 F200.05
-67 L Z+3 R0 FMAX
-68 L Z-4.5 R0 FMAX
-69 L Z-9
-70 L Z+3 R0 FMAX
-71 L Z-8.5 R0 FMAX
-72 L Z-12
-73 L Z+25 R0 FMAX
-74 M9
-75 L Z+125 R0 FMAX
-76 M129
-77 PLANE RESET STAY
-78 M127
-79 CYCL DEF 247 DATUM SETTING ~
+44 FN 18: SYSREAD QL1 = ID210 NR1
+45 FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET1"
+46 ; a basic rotation lies over the preset
+47 FN 14: ERROR = 102
+48 LBL "OFFSET1"
+49 M9
+50 L Z+0 R0 FMAX M91
+51 TOOL CALL 4 Z S3000
+52 L Z+0 R0 FMAX M91
+53 ; Stock Size X40. Y60. Z40.
+54 M3
+55 L B+0 C+0 R0 FMAX
+56 L X+12.5 Y+20 R0 FMAX
+57 L Z+25 R0 FMAX
+58 M8
+59 L Z+3 R0 FMAX
+60 L Z-2 R0 F150.5
+61 CC X+10 Y+20
+62 C X+12.5 Y+20 DR+ F601.25
+63 L X+10
+64 L Z+60 R0 FMAX
+65 L X+30 R0 FMAX
+66 L Z+3 R0 FMAX
+67 L Z-5 F200.05
+68 L Z+3 R0 FMAX
+69 L Z-4.5 R0 FMAX
+70 L Z-9
+71 L Z+3 R0 FMAX
+72 L Z-8.5 R0 FMAX
+73 L Z-12
+74 L Z+25 R0 FMAX
+75 M9
+76 L Z+125 R0 FMAX
+77 M129
+78 PLANE RESET STAY
+79 M127
+80 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-80 FN 18: SYSREAD QL1 = ID210 NR1
-81 FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET2"
-82 ; a basic rotation lies over the preset
-83 FN 14: ERROR = 102
-84 LBL "OFFSET2"
-85 M9
-86 L Z+0 R0 FMAX M91
-87 ; T4 stays in the spindle
-88 TOOL CALL S3000
-89 M3
-90 L B+180 C+90 R0 FMAX
-91 L X-20 Y+160 R0 FMAX
-92 L Z+230 R0 FMAX
-93 M8
-94 L Z+195 R0 FMAX
-95 L Z+188 R0 F300
-96 CC X-25 Y+160
-97 C X-30 Y+160 DR+
-98 L Z+230
-99 M9
-100 L Z+330 R0 FMAX
-101 L Z+0 R0 FMAX M91
-102 M5
-103 M30
-104 END PGM NEST MM
+81 FN 18: SYSREAD QL1 = ID210 NR1
+82 FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET2"
+83 ; a basic rotation lies over the preset
+84 FN 14: ERROR = 102
+85 LBL "OFFSET2"
+86 M9
+87 L Z+0 R0 FMAX M91
+88 ; T4 stays in the spindle
+89 TOOL CALL S3000
+90 M3
+91 L B+180 C+90 R0 FMAX
+92 L X-20 Y+160 R0 FMAX
+93 L Z+230 R0 FMAX
+94 M8
+95 L Z+195 R0 FMAX
+96 L Z+188 R0 F300
+97 CC X-25 Y+160
+98 C X-30 Y+160 DR+
+99 L Z+230
+100 M9
+101 L Z+330 R0 FMAX
+102 L Z+0 R0 FMAX M91
+103 M5
+104 M30
+105 END PGM NEST MM

@@ -22,8 +22,9 @@
 ; T22 posted with L = 96.5: D52 must hold exactly this
 ; CONDITION no basic, external, fine or DRF offset that is not meant moves the zero
 ; CONDITION no offset by TOFFON or a synchronised action is on
-; CONDITION T selects a tool, and M6 changes it (MD22550 = 1)
-; CONDITION the edges of the tools have their lengths (length 1)
+; CONDITION no limit of G25, G26 or the setting data holds S back
+; CONDITION T1 selects the tool of number 1, or of this name, and M6 changes it (MD22550 = 1), keeps the modes and has room where the rotary axes are
+; CONDITION length 1 of the edges, with wear and adapter, is the length of the tools
 ; CONDITION length 1 of a tool lies along Z in G17 (SD42940)
 ; CONDITION the control is in Siemens mode (G290)
 ; CONDITION X is a radius (DIAMOF)

@@ -29,38 +29,39 @@
 28 ; CONDITION the kinematics in force are those of this machine and head
 29 ; CONDITION L and DL of the tool table are the lengths of the tools
 30 ; CONDITION none of M89, M101, M103, M109, M110, M118, M120, M124, M136, M138, M144 and M148 is in force
-31 ; CONDITION the preset has no 3-D basic rotation (SPA, SPB, SPC)
-32 ; CONDITION no cycle 32 of a program before is in force
-33 ; ASSUMED work offset preset 1
-34 ; ASSUMED retract to machine coordinate 0 in
-35 ; ASSUMED approach distance 1.968504 in along the tool axis
-36 ; ASSUMED F is in 1/10 inch/min, in cycles (Q206) as well
-37 M129
-38 PLANE RESET STAY
-39 M127
-40 CYCL DEF 247 DATUM SETTING ~
+31 ; CONDITION the columns X_OFFS to W_OFFS of the preset are 0
+32 ; CONDITION the preset has no 3-D basic rotation (SPA, SPB, SPC)
+33 ; CONDITION no cycle 32 of a program before is in force
+34 ; ASSUMED work offset preset 1
+35 ; ASSUMED retract to machine coordinate 0 in
+36 ; ASSUMED approach distance 1.968504 in along the tool axis
+37 ; ASSUMED F is in 1/10 inch/min, in cycles (Q206) as well
+38 M129
+39 PLANE RESET STAY
+40 M127
+41 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-41 FN 18: SYSREAD QL1 = ID210 NR1
-42 FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET1"
-43 ; a basic rotation lies over the preset
-44 FN 14: ERROR = 102
-45 LBL "OFFSET1"
-46 M9
-47 L Z+0 R0 FMAX M91
-48 TOOL CALL 3 Z S3000
-49 L Z+0 R0 FMAX M91
-50 M3
-51 L B+0 C+0 R0 FMAX
-52 L X+0 Y+0.5 R0 FMAX
-53 L Z+1 R0 FMAX
-54 L Z-0.1 R0 F200
-55 L X+1
-56 CC X+1 Y+0.25
-57 C X+1 Y+0 DR-
-58 L X+0
-59 L Y-0.25
-60 L Z+1
-61 CYCL DEF 203 UNIVERSAL DRILLING ~
+42 FN 18: SYSREAD QL1 = ID210 NR1
+43 FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET1"
+44 ; a basic rotation lies over the preset
+45 FN 14: ERROR = 102
+46 LBL "OFFSET1"
+47 M9
+48 L Z+0 R0 FMAX M91
+49 TOOL CALL 3 Z S3000
+50 L Z+0 R0 FMAX M91
+51 M3
+52 L B+0 C+0 R0 FMAX
+53 L X+0 Y+0.5 R0 FMAX
+54 L Z+1 R0 FMAX
+55 L Z-0.1 R0 F200
+56 L X+1
+57 CC X+1 Y+0.25
+58 C X+1 Y+0 DR-
+59 L X+0
+60 L Y-0.25
+61 L Z+1
+62 CYCL DEF 203 UNIVERSAL DRILLING ~
   Q200=+0.1 ;SET-UP CLEARANCE ~
   Q201=-0.4 ;DEPTH ~
   Q206=+40 ;FEED RATE FOR PLNGNG ~
@@ -74,11 +75,11 @@
   Q211=+0 ;DWELL TIME AT DEPTH ~
   Q208=+99999 ;RETRACTION FEED RATE ~
   Q256=+0.0197 ;DIST FOR CHIP BRKNG
-62 L X+0.25 Y+0.25 R0 FMAX M99
-63 L X+0.75 R0 FMAX M99
-64 L Z+1 R0 FMAX
-65 L Z+3 R0 FMAX
-66 L Z+0 R0 FMAX M91
-67 M5
-68 M30
-69 END PGM PLATE INCH
+63 L X+0.25 Y+0.25 R0 FMAX M99
+64 L X+0.75 R0 FMAX M99
+65 L Z+1 R0 FMAX
+66 L Z+3 R0 FMAX
+67 L Z+0 R0 FMAX M91
+68 M5
+69 M30
+70 END PGM PLATE INCH

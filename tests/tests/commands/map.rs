@@ -206,7 +206,7 @@ fn a_block_is_explained_by_number_and_by_line_as_in_the_map() {
     let (status, text, _) = explained(&["explain-block", part[0], "N120", "--line-numbers"]);
     assert_eq!(status, Some(0));
     let expected = "\
-line 49 of the program (feed):
+line 51 of the program (feed):
     N120 G1 Z25.096 F1000
 programmed by this record
 examples/cl/two_tools.cls, line 17:
@@ -217,9 +217,9 @@ axis values C 0.0000°, B 30.0000°, X 71.6600, Y -28.0000, Z 25.0960
 branch 1 of the inverse kinematics
 ";
     assert_eq!(text, expected);
-    let (_, json, _) = explained(&["explain-block", part[0], "49", "--message-format", "json"]);
+    let (_, json, _) = explained(&["explain-block", part[0], "51", "--message-format", "json"]);
     let line: Value = serde_json::from_str(&json).expect("an object");
-    assert_eq!((&line["line"], &line["cl_line"], &line["number"]), (&49.into(), &17.into(), &Value::Null));
+    assert_eq!((&line["line"], &line["cl_line"], &line["number"]), (&51.into(), &17.into(), &Value::Null));
     let (_, head, _) = explained(&["explain-block", part[0], "1"]);
     assert!(head.contains("the head of the program, before the first record"), "{head}");
 }
@@ -232,7 +232,7 @@ fn a_missing_block_is_reported() {
         assert_eq!((status, text.as_str()), (Some(2), ""), "{block}");
         assert!(errors.contains(expected), "{block}: {errors}");
     };
-    missing("N77", &["--line-numbers"], "there is no block N77: the program has 90 lines");
+    missing("N77", &["--line-numbers"], "there is no block N77: the program has 92 lines");
     missing("N120", &[], "Give all options that the program was posted with, --line-numbers too");
     missing("9999", &[], "there is no line 9999");
     missing("0", &[], "expected a block number such as `N1230`, or a line of the program such as `57`");

@@ -86,6 +86,19 @@ fn only(program: &str, control: &dyn Control, wanted: impl Fn(&str) -> bool) -> 
 }
 
 #[test]
+fn the_header_states_that_blocks_may_be_left_out() {
+    for control in control::CONTROLS {
+        let config = config(*control, "");
+        let states = |cl: &str| {
+            let program = posted::<SpinnerU5620>(&config, *control, cl).to_lowercase();
+            program.contains("condition block skip is as meant")
+        };
+        assert!(states(&with_skip()), "{}", control.spellings().name);
+        assert!(!states(&[FIRST, SKIPPED, LAST].concat()), "{}", control.spellings().name);
+    }
+}
+
+#[test]
 fn the_program_is_right_with_the_marked_blocks_and_without_them() {
     for control in control::CONTROLS {
         for mode in ["axes", "auto"] {

@@ -1,7 +1,7 @@
 //! States of Heidenhain TNC.
 
 use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated};
-use super::StateUse::{Compensation, Every, Planes, Rotary};
+use super::StateUse::{Compensation, Every, Planes, Rotary, TipControl};
 use super::{LENGTH, StateRow, state};
 use crate::control::options::ControlFunction;
 
@@ -18,6 +18,7 @@ pub(super) const STATES: &[StateRow] = &[
     state("cycles", "a motion makes a hole", InWord("M99 at each point; the cycle is defined before it"), Every, MANUAL),
     state("M128, TCPM", "linear words are tip coordinates", SetWhere(ControlFunction::TipControl, "M129"), Every, M_FUNCTIONS).because("without the option its code is unknown"),
     state("PLANE, cycle 19", "words count in a plane", SetWhere(ControlFunction::Planes, "PLANE RESET STAY"), Every, MANUAL).because("without the option its code is unknown"),
+    state("FUNCTION TCPM", "the same; the program ends it with FUNCTION RESET TCPM", Stated("FUNCTION TCPM is off at each start, after a stop as well: M129 may not end it"), TipControl, "").because("no public page states that FUNCTION RESET TCPM may come where it is off"),
     state("M126", "direction of rotary words", Set("M126 or M127"), Rotary, M_FUNCTIONS),
     state("preset, cycles 7, 8, 10, 11 and 26", "place, direction and length of words", Set("cycle 247, which resets the others (from memory)"), Every, ""),
     state("basic rotation", "rotates the words about the zero", Compared("ID210 NR1", "no basic rotation is active"), Every, "TNC 426/430 Technical Manual, p. 7-30")
@@ -35,6 +36,7 @@ pub(super) const STATES: &[StateRow] = &[
         .because("it is machine data; a guard compares the axes"),
     state("M89, M101, M103, M109, M110, M118, M120, M124, M136, M138, M144, M148", "cycles, F, points and axes of motions", Stated("none of M89, M101, M103, M109, M110, M118, M120, M124, M136, M138, M144 and M148 is in force"), Every, M_FUNCTIONS)
         .because("no single code ends them, and not every control has all"),
+    state("X_OFFS to W_OFFS of the preset", "place of the axes", Stated("the columns X_OFFS to W_OFFS of the preset are 0"), Every, "").because("no public manual has their numbers for FN 18"),
     state("SPA, SPB, SPC of the preset", "3-D basic rotation", Stated("the preset has no 3-D basic rotation (SPA, SPB, SPC)"), Every, "").because("no public manual has its number for FN 18"),
     state("cycle 32", "deviation from the path", Stated("no cycle 32 of a program before is in force"), Every, "").because("not every control has it"),
 ];

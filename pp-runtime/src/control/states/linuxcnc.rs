@@ -35,6 +35,10 @@ pub(super) const STATES: &[StateRow] = &[
         .because("no parameter has the unit of the table"),
     state("X, Y and rotary columns of the tool table", "G43 moves these axes as well", Stated("the tool table has lengths in Z alone: G43 takes its other columns as well"), Every, "interp_convert.cc, convert_tool_length_offset")
         .because("the guard compares the length"),
+    state("REMAP of M6, TOOL_CHANGE_POSITION, TOOL_CHANGE_QUILL_UP, TOOL_CHANGE_AT_G30", "axes that M6 moves", Stated("M6 keeps the modes (REMAP), and has room where the axes are, or where it moves them (TOOL_CHANGE_POSITION, _QUILL_UP, _AT_G30)"), Every, "LinuxCNC 2.9, INI configuration, EMCIO and RS274NGC sections")
+        .because("they are entries of the INI file that no code reads"),
+    state("MIN_FORWARD_VELOCITY, MAX_FORWARD_VELOCITY", "speed of the spindle", Stated("S is within the limits of the spindle (MIN_, MAX_FORWARD_VELOCITY)"), Every, "LinuxCNC 2.9, INI configuration, SPINDLE section")
+        .because("they are entries of the INI file that no code reads"),
     state("external offsets", "place of the axes", Stated("no external offset of an axis is on (HAL pins axis.*.eoffset)"), Every, "linuxcnc.org, external offsets")
         .because("no parameter of a program has them"),
     state("M52", "F is scaled by a signal", Stated("no adaptive feed is on (M52 P0)"), Every, STOP)

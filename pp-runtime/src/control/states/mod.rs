@@ -52,26 +52,41 @@ pub(crate) enum StateHandling {
     Compared(&'static str, &'static str),
     /// It is a condition, as the header states it.
     Stated(&'static str),
-    /// The same, unless `control.mill_turn` sets it.
-    StatedUnless(MillTurnSets, &'static str),
+    /// The same, unless an option has it settled.
+    StatedUnless(Settled, &'static str),
     /// The same, which is part of a line that the header has of its own.
     Noted(fn(&Spellings) -> &'static str),
 }
 
-/// What `control.mill_turn` may set.
+/// What an option may have settled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum MillTurnSets {
+pub(crate) enum Settled {
     /// Words of X are radii.
-    Radius,
+    RadiusWords,
     /// The spindle of the tool is named.
-    Spindle,
+    ToolSpindle,
+    /// The axes of a rapid need not arrive together.
+    LooseRapids,
+    /// Whether they do is stated.
+    StatedRapids,
 }
 
-impl MillTurnSets {
-    fn is_set(self, options: &ControlOptions) -> bool {
+impl Settled {
+    fn is_by(self, options: &ControlOptions) -> bool {
         match self {
-            Self::Radius => options.mill_turn.as_ref().is_some_and(|mill_turn| mill_turn.radius.is_some()),
-            Self::Spindle => options.tool_spindle().is_some(),
+            Self::RadiusWords => options.mill_turn.as_ref().is_some_and(|mill_turn| mill_turn.radius.is_some()),
+            Self::ToolSpindle => options.tool_spindle().is_some(),
+            Self::LooseRapids => options.linear_rapids != Some(true),
+            Self::StatedRapids => options.linear_rapids.is_some(),
+        }
+    }
+
+    /// The key that leaves it open.
+    const fn key(self) -> &'static str {
+        match self {
+            Self::RadiusWords | Self::ToolSpindle => "without `control.mill_turn`",
+            Self::LooseRapids => "where `control.linear_rapids` is true",
+            Self::StatedRapids => "without `control.linear_rapids`",
         }
     }
 }
@@ -142,7 +157,7 @@ impl StateRow {
         }
         match self.by {
             StateHandling::Stated(condition) => Some(condition),
-            StateHandling::StatedUnless(sets, condition) => (!sets.is_set(options)).then_some(condition),
+            StateHandling::StatedUnless(settled, condition) => (!settled.is_by(options)).then_some(condition),
             StateHandling::SetWhere(function, _) => (!ends(function, codes, options, uses)).then_some(self.name),
             StateHandling::Compared(LENGTH, condition) => (!uses.length_guard).then_some(condition),
             StateHandling::Compared(_, condition) => (!uses.offset_guard).then_some(condition),
@@ -227,7 +242,7 @@ pub(crate) fn write_table(control: &dyn Control, out: &mut dyn Write) -> io::Res
         for row in of_way {
             let what = match row.by {
                 StateHandling::InWord(text) | StateHandling::Set(text) | StateHandling::Stated(text) => text.to_owned(),
-                StateHandling::StatedUnless(_, text) => format!("`control.mill_turn`; without it: {text}"),
+                StateHandling::StatedUnless(settled, text) => format!("{}: {text}", settled.key()),
                 StateHandling::SetWhere(function, code) => {
                     let usual = control.spellings().cancels.iter().any(|cancel| cancel.of == function && cancel.usual);
                     let listed = match usual {

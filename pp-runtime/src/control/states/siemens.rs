@@ -1,6 +1,6 @@
 //! States of Siemens 840D.
 
-use super::MillTurnSets;
+use super::Settled;
 use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated, StatedUnless};
 use super::StateUse::{Compensation, Every, Kinematics, Planes, Rotary};
 use super::{LENGTH, StateRow, state};
@@ -32,8 +32,12 @@ pub(super) const STATES: &[StateRow] = &[
     state("offsets of the shop", "zero of the words", Stated("no basic, external, fine or DRF offset that is not meant moves the zero"), Every, FRAMES)
         .because("they hold data of the shop"),
     state("TOFFON, $AA_OFF", "place of the axes", Stated("no offset by TOFFON or a synchronised action is on"), Every, "").because("without their options the codes raise an alarm"),
-    state("MD22550", "T changes the tool, or selects it for M6", Stated("T selects a tool, and M6 changes it (MD22550 = 1)"), Every, "").because(DATA),
-    state("tool data", "length of the edge", Compared(LENGTH, "the edges of the tools have their lengths (length 1)"), Every, "Fundamentals 05/2017, system variables")
+    state("RTLIOF", "axes of a rapid arrive together, or not", StatedUnless(Settled::LooseRapids, "the axes of a rapid arrive together (RTLION)"), Every, "NC programming 12/2019 (6FC5398-2EP40-0BA0), rapid traverse")
+        .because("without linear interpolation of rapids in the control its code is unknown"),
+    state("G25 S, G26 S", "lowest and highest speed of the spindle", Stated("no limit of G25, G26 or the setting data holds S back"), Every, "NC programming 12/2019 (6FC5398-2EP40-0BA0), programmable spindle speed limits")
+        .because("they hold data of the shop"),
+    state("MD22550", "T changes the tool, or selects it for M6", Stated("T1 selects the tool of number 1, or of this name, and M6 changes it (MD22550 = 1), keeps the modes and has room where the rotary axes are"), Every, "").because(DATA),
+    state("tool data", "length of the edge", Compared(LENGTH, "length 1 of the edges, with wear and adapter, is the length of the tools"), Every, "Fundamentals 05/2017, system variables")
         .because("the length is that of the real tool"),
     state("MD30310", "words of rotary axes beyond a revolution", Noted(|codes| codes.rotary_note), Rotary, "Axes and Spindles 06/2019, p. 225").because(DATA),
     state("radius of the edge", "offset of G41 and G42", Noted(|codes| codes.radius_data[0]), Compensation, "System Variables 6FC5397-6AP40-3BA1, 03/2013").because("the radius is that of the real tool"),
@@ -43,7 +47,7 @@ pub(super) const STATES: &[StateRow] = &[
     state("$TC_CARR, MD24100 to MD24599", "where the rotary axes are for CYCLE800 and TRAORI", Stated("swivel data and data of TRAORI are those of this machine (`kinematics --siemens`)"), Kinematics, "IM9 03/2013, p. 502").because(DATA),
     state("SD42940, SD42950", "axis of the tool length", Stated("length 1 of a tool lies along Z in G17 (SD42940)"), Every, "6FC5398-1BP10-2BA0, 8.17.4").because(DATA),
     state("G291", "codes are those of ISO", Stated("the control is in Siemens mode (G290)"), Every, "").because("without ISO mode its code may be unknown"),
-    state("DIAMON", "X is a diameter", StatedUnless(MillTurnSets::Radius, "X is a radius (DIAMOF)"), Every, "").because("without a transverse axis its code may raise an alarm"),
-    state("SETMS", "spindle of S and M3", StatedUnless(MillTurnSets::Spindle, "the tool is in the master spindle"), Every, "").because("SETMS would take a spindle that the shop has selected"),
+    state("DIAMON", "X is a diameter", StatedUnless(Settled::RadiusWords, "X is a radius (DIAMOF)"), Every, "").because("without a transverse axis its code may raise an alarm"),
+    state("SETMS", "spindle of S and M3", StatedUnless(Settled::ToolSpindle, "the tool is in the master spindle"), Every, "").because("SETMS would take a spindle that the shop has selected"),
     state("CYCLE832", "deviation from the path", Stated("no CYCLE832 of a program before is in force"), Every, "NC programming 12/2019, p. 1108").because("without its option the cycle raises an alarm"),
 ];

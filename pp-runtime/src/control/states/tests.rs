@@ -77,12 +77,22 @@ fn what_no_word_code_or_guard_deals_with_is_a_condition() {
             match row.by {
                 StateHandling::Stated(condition) => assert!(guarded.contains(condition), "{name}: {condition}"),
                 StateHandling::StatedUnless(_, condition) => {
-                    assert!(guarded.contains(condition), "{name}: {condition}");
-                    let radius = Some("CODE".to_owned());
-                    let mill_turn = Some(MillTurn { radius, modes: Vec::new(), spindle: ToolSpindle::Number(3) });
-                    let set = ControlOptions { mill_turn, ..options(&[]) };
-                    let stated = conditions(*control, &set, &uses(true)).join("\n");
-                    assert!(!stated.contains(condition), "{name}: {condition}");
+                    let mill_turn = MillTurn {
+                        radius: Some("CODE".to_owned()),
+                        modes: Vec::new(),
+                        spindle: ToolSpindle::Number(3),
+                    };
+                    let settled = |linear_rapids, mill_turn: Option<MillTurn>| {
+                        let options = ControlOptions { linear_rapids, mill_turn, ..options(&[]) };
+                        !conditions(*control, &options, &uses(true)).join("\n").contains(condition)
+                    };
+                    let all = [
+                        settled(None, None),
+                        settled(Some(true), None),
+                        settled(Some(false), None),
+                        settled(None, Some(mill_turn)),
+                    ];
+                    assert!(all.contains(&true) && all.contains(&false), "{name}: {condition}");
                 }
                 StateHandling::Compared(_, condition) => {
                     assert!(bare.contains(condition) && !guarded.contains(condition), "{name}: {condition}");
