@@ -18,6 +18,8 @@ pub(super) struct ContourState {
     tools: [Option<(FitTool, Option<FittedSide>)>; 2],
     /// Line of the CL data with the last side.
     last_line: u64,
+    /// Blocks since it that move nothing in its plane.
+    idle: u8,
 }
 
 impl Comparison<'_> {
@@ -35,9 +37,20 @@ impl Comparison<'_> {
         let line_number = self.progress.location().line;
         let begins = self.contour.side == Side::None;
         if begins {
-            self.contour = ContourState { side, tools: self.tools_on(side), last_line: line_number };
+            self.contour = ContourState { side, tools: self.tools_on(side), last_line: line_number, idle: 0 };
         }
-        let Some(path) = self.side_of(current) else { return };
+        let Some(path) = self.side_of(current) else {
+            // Where words of its plane lead nowhere, Fanuc ends its look-ahead as after two blocks.
+            let linear = self.rules.words().linear_bits();
+            let in_plane = current.block.state.plane.map_or(0, |plane| {
+                let [first, second, _] =
+                    plane.axes().map(|axis| self.rules.words().xyz()[axis].map_or(0, |index| 1 << index));
+                first | second
+            });
+            let leads_nowhere = current.block.written & linear & in_plane != 0;
+            return self.idle_in_contour(if leads_nowhere { u8::MAX } else { 1 }, current);
+        };
+        self.contour.idle = 0;
         let mut faults = [const { None }; 2];
         for (tool, fault) in self.contour.tools.iter_mut().zip(&mut faults) {
             let Some((tool, last)) = tool else { continue };
@@ -63,6 +76,36 @@ impl Comparison<'_> {
         self.contour.last_line = line_number;
         if side == Side::None {
             self.contour = ContourState::default();
+        }
+    }
+
+    /// A block that stands still in a contour, or leaves its plane.
+    pub(super) fn stands_in_contour(&mut self, current: &Current<'_>) {
+        let block = current.block;
+        if self.contour.side != Side::None && !block.goes_on {
+            self.idle_in_contour(block.looked_over, current);
+        }
+    }
+
+    /// Counts blocks between two motions of a contour, which the control looks ahead over.
+    fn idle_in_contour(&mut self, blocks: u8, current: &Current<'_>) {
+        let Some(most) = self.rules.facts().idle_in_contour else { return };
+        let before = self.contour.idle;
+        self.contour.idle = before.saturating_add(blocks);
+        if before <= most && self.contour.idle > most {
+            let text = match most {
+                1 => "a further block without a motion, or one that leads nowhere, stands between two motions under cutter \
+                      compensation: the control looks ahead over one, and cuts into the corner"
+                    .to_owned(),
+                _ => format!(
+                    "more than {most} blocks without a motion stand between two motions under cutter compensation: the control looks \
+                     ahead over no more, and cuts into the corner"
+                ),
+            };
+            self.found(
+                current,
+                &format!("{text}; give coolant, spindle and other functions before CUTCOM or after it"),
+            );
         }
     }
 

@@ -548,6 +548,7 @@ impl Comparison<'_> {
     /// A block that moves nothing.
     fn standing(&mut self, task: Task, phase: &mut Phase, current: &Current<'_>) -> io::Result<Option<Phase>> {
         self.previous.same_meaning &= current.block.known;
+        self.stands_in_contour(current);
         match (task, &current.block.action) {
             (Task::ToolChange, _) => self.tool_change(phase, current).map(Some),
             (Task::Dwell, Action::Dwell(seconds)) => self.dwell(phase, *seconds, current).map(|()| None),

@@ -483,6 +483,9 @@ pub struct Block {
     pub known_before: u16,
     /// Axes whose words stand in the block.
     pub written: u16,
+    /// Blocks that the look-ahead of the control takes it for where it moves nothing: none is a comment alone, and what stops the
+    /// look-ahead ends it.
+    pub looked_over: u8,
     /// Its words are those of axes, of the centre of an arc, F and N alone, without a declared effect. All modes are those of the
     /// block before, unless blocks that may be skipped end here.
     pub only_moves: bool,
@@ -534,6 +537,7 @@ impl Default for Block {
             known: 0,
             known_before: 0,
             written: 0,
+            looked_over: 0,
             only_moves: false,
             restart: false,
             stated: 0,

@@ -18,7 +18,7 @@
 //! | R, P | G2, G3 | radius of an arc, revolutions of a helix on LinuxCNC |
 
 use super::super::policy::RolloverRule;
-use super::block::{OwnPlace, PathMode, Smoothing, WorkOffset, coolant};
+use super::block::{OwnPlace, PathMode, Smoothing, WorkOffset, coolant, settled};
 use super::facts::Form;
 use super::frames;
 use super::language::{Address, Letters, Means, PathCode, Pattern, Plane, Row, Smoother, group, has_letter};
@@ -141,6 +141,10 @@ impl Line<'_> {
             Means::Machine => asked.machine = true,
             Means::Plane(plane) => self.orders.mode(Mode::Plane(plane)),
             Means::Units(units) => self.orders.mode(Mode::Units(units)),
+            Means::UnitsOfFeed(units) => {
+                self.orders.mode(Mode::Units(units));
+                self.orders.mode(Mode::Settles(settled::FEED_UNIT));
+            }
             Means::Distances { incremental } => self.orders.mode(Mode::Incremental(incremental)),
             Means::ArcCentres { absolute } => self.orders.mode(Mode::AbsoluteCentres(absolute)),
             Means::FeedMode(mode) => self.orders.mode(Mode::FeedMode(mode)),
@@ -269,11 +273,13 @@ impl Line<'_> {
         number.point || self.vocabulary().plain || !self.facts().least_increments
     }
 
-    /// A length or an angle as written: least increments where there is no point.
-    fn length(&self, number: Number, rotary: bool) -> f64 {
-        if self.counts_plainly(number) {
+    /// A length or an angle as written. Without a point it counts least increments, or what a setting says.
+    fn length(&mut self, word: Word, rotary: bool) -> f64 {
+        let number = word.number;
+        if self.counts_plainly(number) || number.value == 0.0 {
             return number.value;
         }
+        self.fault(word.column, "number without a decimal point: what it counts depends on a setting of the control");
         number.value * if self.units() == Some(Units::Inches) && !rotary { LEAST_INCH } else { LEAST }
     }
 
@@ -366,7 +372,7 @@ impl Line<'_> {
             Smoother::Level => {
                 let level = self.words.take_letter(b'P', takes).map(|word| level(word, 3));
                 let tolerance = self.words.take_letter(b'E', takes);
-                let tolerance_mm = tolerance.map(|word| self.length(word.number, false) * self.unit());
+                let tolerance_mm = tolerance.map(|word| self.length(word, false) * self.unit());
                 match (level, tolerance_mm) {
                     (None, None) => Some(Smoothing::Off),
                     (Some(None), _) => None,
@@ -388,11 +394,11 @@ impl Line<'_> {
         let origin = linear.map(|index| {
             let index = index?;
             let word = self.words.take_if(|word| word.address == Address::Axis && usize::from(word.index) == index)?;
-            Some(self.length(word.number, false))
+            Some(self.length(word, false))
         });
         let angles = [b'I', b'J', b'K'].map(|letter| {
             let word = self.words.take_letter(letter, takes)?;
-            Some(self.length(word.number, false))
+            Some(self.length(word, false))
         });
         let order = self.words.take_letter(b'Q', takes).and_then(|word| whole(word.number));
         let words = frames::EulerWords { angles: angles.map(Option::unwrap_or_default), order };
@@ -537,7 +543,7 @@ impl Line<'_> {
             self.words.take_if(|word| word.address == Address::Vector || of_letters && word.address == Address::Centre)
         {
             vector[usize::from(word.index)] =
-                if word.address == Address::Centre { self.length(word.number, false) } else { word.number.value };
+                if word.address == Address::Centre { self.length(word, false) } else { word.number.value };
             written |= 1 << word.index;
         }
         if written != 0 {
@@ -552,7 +558,7 @@ impl Line<'_> {
         let step = self.words.take_letter(b'Q', takes);
         let dwell = self.words.take_letter(b'P', takes);
         let shift = [b'I', b'J'].map(|letter| self.words.take_letter(letter, takes));
-        let lengths = [reference, step].map(|word| word.map(|word| self.length(word.number, false)));
+        let lengths = [reference, step].map(|word| word.map(|word| self.length(word, false)));
         let words = CannedWords {
             begins: asked.hole,
             reference: lengths[0],
@@ -566,7 +572,7 @@ impl Line<'_> {
             shift: shift
                 .iter()
                 .any(Option::is_some)
-                .then(|| shift.map(|word| word.map_or(0.0, |word| self.length(word.number, false)))),
+                .then(|| shift.map(|word| word.map_or(0.0, |word| self.length(word, false)))),
         };
         let says = words != CannedWords::default();
         if says {
@@ -580,7 +586,7 @@ impl Line<'_> {
         let mut axes = AxisWords::default();
         while let Some(word) = self.words.take(Address::Axis) {
             let (index, bit) = (usize::from(word.index), 1 << word.index);
-            axes.values[index] = self.length(word.number, self.machine().axis(index).rotary);
+            axes.values[index] = self.length(word, self.machine().axis(index).rotary);
             axes.written |= bit;
             match word.counts {
                 Counts::AsInForce => {}
@@ -622,12 +628,12 @@ impl Line<'_> {
         while let Some(word) =
             self.words.take_if(|word| word.address == Address::Centre && (!of_letters || taken(word.letter)))
         {
-            arc.centre[usize::from(word.index)] = self.length(word.number, false);
+            arc.centre[usize::from(word.index)] = self.length(word, false);
             arc.written |= 1 << word.index;
             arc.absolute |= u8::from(word.counts == Counts::Absolute) << word.index;
         }
         let radius = self.words.take_letter(b'R', takes).or_else(|| self.words.take(Address::Radius));
-        arc.radius = radius.map(|word| self.length(word.number, false));
+        arc.radius = radius.map(|word| self.length(word, false));
         arc.sweep = self.words.take(Address::Angle).map(|word| word.number.value.to_radians());
         if let Some(word) = self.words.take_letter(b'P', takes) {
             match whole(word.number) {

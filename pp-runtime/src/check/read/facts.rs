@@ -155,6 +155,7 @@ const SIEMENS_LEFT: &[LeftOver] = &[
     DISTANCES,
     WORKING_PLANE,
     FEED_MODE,
+    left(settled::FEED_UNIT, "F in the basic unit of the control (G70, G71)", "G700 or G710", FunctionOf::Every),
     left(settled::PATH, "exact stop or smoothed corners", "G64", FunctionOf::Every),
     left(settled::TIP_CONTROL, "a transformation", "TRAFOOF", FunctionOf::Usual("tip_control")),
     left(settled::PLANE, "a tilted plane", "CYCLE800()", FunctionOf::Usual("planes")),
@@ -198,6 +199,8 @@ pub(crate) struct Facts {
     /// Largest corner that is straight on for cutter compensation, and angle by which an arc after one may become longer in a
     /// program in millimetres and in one in inches, rad. Otherwise the program stops.
     pub(crate) straight_corners: Option<[f64; 3]>,
+    /// Most blocks without a motion between two motions of a compensated contour.
+    pub(crate) idle_in_contour: Option<u8>,
     /// A guard can compare the positions of rotary axes after a plane call.
     pub(crate) plane_guard: bool,
     /// The control has switched the spindle off after a thread that is in step with it.
@@ -311,6 +314,7 @@ const ISO: Facts = Facts {
     radius_delta: false,
     radius_guard: false,
     straight_corners: None,
+    idle_in_contour: None,
     plane_guard: false,
     // Rigid tapping: Fanuc B-63944EN/02 (2004), Haas 96-8000 (from memory).
     tap_stops_spindle: true,
@@ -427,6 +431,8 @@ impl Family {
                 tip_control_has_form: true,
                 whole_milliseconds: true,
                 one_m_code: true,
+                // Operator's manual of the 16i, B-63664EN/02, p. 170.
+                idle_in_contour: Some(1),
                 // From memory.
                 step_states: StepStates { peck_gap: Some("5115"), chip_break_gap: Some("5114"), peck_rise: None },
                 left_over: FANUC_LEFT,
@@ -435,6 +441,8 @@ impl Family {
             // One M code in a block (from memory). Mill manual 96-8000: #2000+H and #2200+H for H1 to H200; G187 P1 rough, P2 medium, P3 finish.
             Self::Haas => Facts {
                 one_m_code: true,
+                // As Fanuc, from memory.
+                idle_in_contour: Some(1),
                 feed_needs_point: true,
                 // Setting 28, canned cycle without X and Y: mill manual NGC (2017), settings.
                 cycle_needs_position: true,
@@ -458,6 +466,8 @@ impl Family {
                 length_moves: false,
                 radius_registers: false,
                 radius_guard: true,
+                // MD20250 as delivered, from memory.
+                idle_in_contour: Some(3),
                 plane_guard: true,
                 message: Some(["MSG(\"", "\")"]),
                 names_are_messages: true,

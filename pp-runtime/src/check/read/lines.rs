@@ -53,6 +53,8 @@ pub(super) struct Lines<P> {
     kept: Vec<(Vec<u8>, LineKind)>,
     next: usize,
     keeps: bool,
+    /// Number of lines that have been read again.
+    again: u64,
     /// What the kept lines take, bytes.
     kept_bytes: usize,
     /// Lines of subprograms that come before their calls: the first so many stay kept, and what they take, bytes.
@@ -72,6 +74,7 @@ impl<P: Pieces> Lines<P> {
             kept: Vec::new(),
             next: 0,
             keeps: false,
+            again: 0,
             kept_bytes: 0,
             pinned: 0,
             pinned_bytes: 0,
@@ -83,11 +86,17 @@ impl<P: Pieces> Lines<P> {
         self.number
     }
 
+    /// Number of lines that have been read again.
+    pub(super) fn again(&self) -> u64 {
+        self.again
+    }
+
     /// Puts the next line into `line`; `None` after the last one.
     pub(super) fn next(&mut self, line: &mut Vec<u8>) -> io::Result<Option<LineKind>> {
         if let Some((text, kind)) = self.kept.get(self.next) {
             line.clone_from(text);
             self.next += 1;
+            self.again += 1;
             return Ok(Some(*kind));
         }
         let Some(kind) = self.read_numbered(line)? else { return Ok(None) };

@@ -238,7 +238,7 @@ impl<P: Pieces> Reader<P> {
         };
         Self {
             lines: Lines::new(input, facts.form == Form::Statements),
-            flow: Flow::new(facts.form),
+            flow: Flow::new(&facts),
             numbers: Vec::new(),
             vocabulary,
             facts,

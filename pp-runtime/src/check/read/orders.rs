@@ -342,6 +342,8 @@ pub(super) struct Orders {
     pub(crate) effects: u8,
     /// It says something, if only a code that changes nothing.
     pub(crate) speaks: bool,
+    /// The control executes the blocks before it first.
+    pub(crate) stops_look_ahead: bool,
     /// It has a code that changes nothing here.
     pub(crate) harmless: bool,
     /// It has what is not in the language.
@@ -361,7 +363,8 @@ impl Orders {
         self.either.clear();
         self.late.clear();
         self.acts.clear();
-        (self.effects, self.speaks, self.harmless, self.unknown) = (0, false, false, false);
+        (self.effects, self.speaks, self.stops_look_ahead) = (0, false, false);
+        (self.harmless, self.unknown) = (false, false);
     }
 
     /// Adds a mode that is executed before the motion of its block.

@@ -257,6 +257,8 @@ pub(in crate::check) mod settled {
     pub(crate) const FEED_MODE: u32 = 65536;
     /// Centres of arcs.
     pub(crate) const CENTRES: u32 = 131_072;
+    /// Unit of F.
+    pub(crate) const FEED_UNIT: u32 = 262_144;
 }
 
 /// What is in force; `None` where the program has not said it.
@@ -421,7 +423,10 @@ impl State {
         keep(vector, &other.vector);
         keep(to_initial, &other.to_initial);
         keep(smoothing_angle_rad, &other.smoothing_angle_rad);
-        keep(path_mode, &other.path_mode);
+        // What is not known here is the mode after switching on.
+        if *path_mode != other.path_mode {
+            *path_mode = Some(PathMode::ExactPath);
+        }
         *settled &= other.settled;
         *lost_at = lost_at.or(other.lost_at);
         if *shortest != other.shortest {

@@ -91,9 +91,9 @@ fn distances_add_up_and_are_known_only_from_a_known_place() {
 }
 
 #[test]
-fn a_number_without_a_point_is_least_increments_on_fanuc_and_haas() {
-    let fanuc = last(Family::Fanuc, &format!("{}G1 X10 Y10. Z0. F100.\n", &LINUXCNC.replace(" G64 P0.01", "")));
-    assert!(near(xyz(&fanuc), [0.01, 10.0, 0.0]));
+fn a_number_without_a_point_depends_on_a_setting_on_fanuc_and_haas() {
+    let fanuc = format!("{}G1 X10 Y10. Z0 F100.\n", &LINUXCNC.replace(" G64 P0.01", ""));
+    assert!(faults(Family::Fanuc, &fanuc)[0].contains("without a decimal point"));
     let haas = format!("{}G1 X1. Y0. Z0. F100\n", &LINUXCNC.replace(" G64 P0.01", ""));
     assert!(faults(Family::Haas, &haas)[0].contains("depends on a setting"));
 }

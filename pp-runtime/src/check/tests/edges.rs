@@ -365,3 +365,63 @@ fn a_lift_to_the_level_of_the_next_hole_that_is_lost_is_found() {
     let found = again::<Mill>("fanuc", Mode::Axes, set_up, data, &edited);
     assert!(!found.is_empty(), "{edited}");
 }
+
+const CONTOUR: &str = "UNITS/MM\nLOADTL/1,ADJUST,1\nSPINDL/RPM,4000,CLW\nRAPID\nGOTO/0,0,50\nRAPID\nGOTO/0,0,2\nFEDRAT/MMPM,300\n\
+                       GOTO/0,0,-2\nCUTCOM/LEFT\nGOTO/0,-20,-2\nGOTO/30,-20,-2\nGOTO/30,20,-2\nGOTO/-30,20,-2\n\
+                       GOTO/-30,-20,-2\nGOTO/5,-20,-2\nCUTCOM/OFF\nGOTO/5,0,-2\nRAPID\nGOTO/5,0,50\n";
+
+/// Fanuc, 16i operator's manual, B-63664EN/02, p. 170: after two blocks without a motion the tool cuts into an inner corner.
+#[test]
+fn blocks_that_end_the_look_ahead_of_a_contour_are_found() {
+    let set_up = "retract.distance = 20\ncompensation.path = \"contour\"\ntools = { 1 = { diameter = 10.0 } }\n";
+    for (control, corner, idle) in [
+        ("fanuc", "X30.\n", &["X30.\n", "G90\nF300.\n", "M3\nM3\n", "Z-2.\nZ-2.\n"][..]),
+        ("haas", "X30.\n", &["G90\nF300.\n"]),
+        ("siemens", "X30\n", &["STOPRE\n", "CYCLE832()\n", "G90\nG17\nG94\nM3\n"]),
+    ] {
+        let program = posted_right::<Mill>(control, Mode::Axes, set_up, CONTOUR);
+        let place = program.find(corner).expect("the corner") + corner.len();
+        for blocks in idle {
+            let edited = format!("{}{blocks}{}", &program[..place], &program[place..]);
+            let found = again::<Mill>(control, Mode::Axes, set_up, CONTOUR, &edited);
+            assert!(found.iter().any(|text| text.contains("look")), "{control} {blocks}: {found:?}\n{edited}");
+        }
+        let edited = format!("{}(NOTE)\n", &program[..place])
+            .replace("(NOTE)", if control == "siemens" { "; NOTE" } else { "(NOTE)" });
+        let edited = format!("{edited}{}", &program[place..]);
+        assert_eq!(
+            again::<Mill>(control, Mode::Axes, set_up, CONTOUR, &edited),
+            [""; 0],
+            "{control}: a comment is no block"
+        );
+    }
+    // Two functions of the CL data between two motions are as many blocks.
+    let data = CONTOUR
+        .replace("GOTO/30,20,-2\n", "GOTO/30,20,-2\nCOOLNT/OFF\nSPINDL/RPM,3000,CLW\n")
+        .replace("RAPID\nGOTO/0,0,2", "COOLNT/ON\nRAPID\nGOTO/0,0,2");
+    let (found, _) = posted::<Mill>("fanuc", Mode::Axes, set_up, &data).expect("it can be posted");
+    assert!(found.iter().any(|text| text.contains("looks ahead over one")), "{found:?}");
+}
+
+#[test]
+fn exact_stop_in_blocks_that_may_be_skipped_is_found() {
+    let data = "UNITS/MM\nTOOL PATH/A,TOOL,T\nLOADTL/1\nSPINDL/RPM,2000,CLW\nOPSKIP/ON\nRAPID\nGOTO/0,0,30,0,0,1\nFEDRAT/MMPM,300\n\
+                GOTO/0,0,20\nRAPID\nGOTO/0,0,60\nOPSKIP/OFF\nTOOL PATH/B,TOOL,T\nLOADTL/1\nSPINDL/RPM,2000,CLW\nRAPID\nGOTO/5,5,30\n\
+                FEDRAT/MMPM,300\nGOTO/5,5,20\nGOTO/25,5,20\nRAPID\nGOTO/5,5,60\n";
+    let set_up = "retract.distance = 20\n";
+    for control in ["fanuc", "haas"] {
+        let program = posted_right::<OneTable>(control, Mode::Axes, set_up, data);
+        let place = program.rfind("/M").expect("a block that may be skipped");
+        let edited = format!("{}/G61\n{}", &program[..place], &program[place..]);
+        let found = again::<OneTable>(control, Mode::Axes, set_up, data, &edited);
+        assert!(found.iter().any(|text| text.contains("G61")), "{control}: {found:?}\n{edited}");
+    }
+}
+
+#[test]
+fn units_that_leave_out_f_are_found_on_siemens() {
+    let set_up = "retract.distance = 20\n";
+    let program = posted_right::<Mill>("siemens", Mode::Axes, set_up, TWO_OPERATIONS);
+    let found = again::<Mill>("siemens", Mode::Axes, set_up, TWO_OPERATIONS, &program.replace("G710", "G71"));
+    assert!(found.iter().any(|text| text.contains("basic unit")), "{found:?}");
+}

@@ -191,8 +191,8 @@ impl<'e, 'a> Expression<'e, 'a> {
             b"NEG" => |x| -x,
             _ => return None,
         };
-        let value = self.argument()?;
-        Some(value.map(unary).filter(|value| value.is_finite()))
+        let value = self.argument()?.map(unary).filter(|value| value.is_finite());
+        Some(if name == b"ASIN" { self.angle(value) } else { value })
     }
 
     /// Brackets, or on a Heidenhain a number or a variable.
@@ -213,7 +213,7 @@ impl<'e, 'a> Expression<'e, 'a> {
                 let y = self.brackets()?;
                 self.sign(b'/').then_some(())?;
                 let x = self.brackets()?;
-                Some(y.zip(x).map(|(y, x)| y.atan2(x).to_degrees()))
+                Some(self.angle(y.zip(x).map(|(y, x)| y.atan2(x).to_degrees())))
             }
             Form::Keywords => {
                 self.at.take(b'(').then_some(())?;
@@ -224,6 +224,12 @@ impl<'e, 'a> Expression<'e, 'a> {
             }
             Form::Statements => Some(self.argument()?.map(|value| value.atan().to_degrees())),
         }
+    }
+
+    /// An angle of ASIN or ATAN. Fanuc counts it from 0 to 360 degrees or from -180 to 180, by parameter 6004#0 (from memory): it is
+    /// known where both are one.
+    fn angle(&self, degrees: Value) -> Value {
+        degrees.filter(|degrees| !self.variables.by_settings() || *degrees >= 0.0)
     }
 
     /// Takes a sign of one byte with the blanks before it, if it comes next.

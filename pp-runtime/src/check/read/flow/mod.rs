@@ -13,14 +13,14 @@ mod variables;
 use std::io;
 
 use super::Pieces;
-use super::facts::Form;
+use super::facts::{Facts, Form};
 use super::lines::{LineKind, Lines};
 use expression::Value;
 use statement::{Label, Statement, has_label, parse};
 use variables::{Variable, Variables};
 
-/// Most jumps of one program: more are taken for a loop without an end.
-const MOST_JUMPS: u64 = 1_000_000;
+/// Most lines that are read again: more are taken for a loop without an end.
+const MOST_AGAIN: u64 = 5_000_000;
 
 /// Deepest nesting of loops, conditions and calls.
 const DEEPEST: usize = 64;
@@ -74,7 +74,6 @@ pub(super) struct Flow {
     form: Form,
     variables: Variables,
     frames: Vec<Frame>,
-    jumps: u64,
     /// Labels of subprograms that have been called.
     called: Vec<Label>,
     /// The end code has come; the lines after it are those of subprograms, and whether one has begun.
@@ -83,9 +82,9 @@ pub(super) struct Flow {
 }
 
 impl Flow {
-    pub(super) fn new(form: Form) -> Self {
-        let variables = Variables::new(form);
-        Self { form, variables, frames: Vec::new(), jumps: 0, called: Vec::new(), ended: false, in_subprogram: false }
+    pub(super) fn new(facts: &Facts) -> Self {
+        let (form, variables) = (facts.form, Variables::new(facts));
+        Self { form, variables, frames: Vec::new(), called: Vec::new(), ended: false, in_subprogram: false }
     }
 
     /// Whether the program has ended.
@@ -108,6 +107,9 @@ impl Flow {
     ) -> io::Result<Taken> {
         if self.ended {
             return Ok(self.after_end(line));
+        }
+        if lines.again() > MOST_AGAIN {
+            return Ok(Taken::Refused(format!("after {MOST_AGAIN} lines in jumps and rounds the program has no end")));
         }
         if self.frames.iter().all(|frame| matches!(frame.kind, FrameKind::If)) {
             lines.forget_far();
@@ -346,10 +348,6 @@ impl Flow {
 
     /// Goes to a place.
     fn lead<P: Pieces>(&mut self, lines: &mut Lines<P>, place: usize) -> Taken {
-        self.jumps += 1;
-        if self.jumps > MOST_JUMPS {
-            return Taken::Refused(format!("after {MOST_JUMPS} jumps and rounds the program has no end"));
-        }
         lines.go_to(place);
         Taken::Done
     }

@@ -192,19 +192,33 @@ fn call(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
     while !at.ended() && !matches!(at.peek(), Some(b'(' | b';')) {
         let letter = at.peek()?.to_ascii_uppercase();
         at.skip(1);
+        let bare = is_bare_number(at);
         let value = Expression::new(at, variables).signed()?;
         match letter {
             b'P' => program = Some(value? as u32),
             b'L' => times = value? as u32,
             _ if macro_call => {
                 let (_, number) = ARGUMENTS.into_iter().find(|(argument, _)| *argument == letter)?;
-                arguments.push((format!("#{number}").into_bytes(), value));
+                // Without a point it counts least increments of the axis of this letter, or what a setting says.
+                let counts = !b"DFHMST".contains(&letter) && variables.by_settings() && bare;
+                arguments.push((format!("#{number}").into_bytes(), value.filter(|value| !counts || *value == 0.0)));
             }
             _ => return None,
         }
     }
     let label = if code == (b'M', 97) { format!("{}", program?) } else { format!("O{}", program?) };
     Some(Statement::Call(label.into_bytes(), times, macro_call.then_some(arguments)))
+}
+
+/// Whether a number without a point comes next, which is no part of an expression.
+fn is_bare_number(at: &Cursor<'_>) -> bool {
+    let text = at.rest();
+    let digits = text
+        .iter()
+        .skip_while(|byte| matches!(byte, b' ' | b'+' | b'-'))
+        .take_while(|byte| !byte.is_ascii_alphabetic());
+    let mut digits = digits.copied().take_while(|byte| *byte != b' ').peekable();
+    digits.peek().is_some_and(u8::is_ascii_digit) && digits.all(|byte| byte.is_ascii_digit())
 }
 
 /// `o100 sub`, `o<part> call [5]`, `o5 if [..]`.

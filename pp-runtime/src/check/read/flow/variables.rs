@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::super::facts::Form;
+use super::super::facts::{Facts, Form};
 use super::super::text::Cursor;
 use super::expression::{Expression, Value};
 
@@ -77,18 +77,25 @@ pub(super) type Variable = Vec<u8>;
 #[derive(Debug, Clone)]
 pub(super) struct Variables {
     form: Form,
+    /// Fanuc and Haas: parameters and settings say what numbers without a point and some angles are.
+    by_settings: bool,
     values: HashMap<Variable, Value>,
     /// Names that a program has defined (DEF).
     defined: Vec<Variable>,
 }
 
 impl Variables {
-    pub(super) fn new(form: Form) -> Self {
-        Self { form, values: HashMap::new(), defined: Vec::new() }
+    pub(super) fn new(facts: &Facts) -> Self {
+        Self { form: facts.form, by_settings: facts.least_increments, values: HashMap::new(), defined: Vec::new() }
     }
 
     pub(super) fn form(&self) -> Form {
         self.form
+    }
+
+    /// Whether settings of the control say what numbers without a point and some angles are.
+    pub(super) fn by_settings(&self) -> bool {
+        self.by_settings
     }
 
     /// The value of a variable; `None` where the program has not set it, or to what is not known.
@@ -170,22 +177,23 @@ impl Variables {
         }
     }
 
-    /// Whether a program may set a variable: others belong to the control.
+    /// Whether a program may set a variable: others belong to the control, or outlast the program.
     pub(super) fn is_of_program(&self, variable: &Variable) -> bool {
         match self.form {
             Form::Letters => {
                 let digits = variable.strip_prefix(b"#").unwrap_or_default();
                 match std::str::from_utf8(digits).ok().and_then(|digits| digits.parse::<u32>().ok()) {
-                    // LinuxCNC: from 5061 on; Fanuc and Haas: from 1000 on.
-                    Some(number) => (1..1000).contains(&number),
+                    // From #500 on they outlast the program on Fanuc and Haas, and probing macros keep their calibration there. To the
+                    // control belong those from #1000 on, on LinuxCNC those from #5061 on.
+                    Some(number) => (1..if self.by_settings { 500 } else { 1000 }).contains(&number),
                     None => !variable.strip_prefix(b"#<_").is_some_and(|name| PREDEFINED.contains(&name)),
                 }
             }
             Form::Keywords => true,
-            // Cycles read Q200 and up, the control sets Q100 and up.
+            // Cycles read Q200 and up, the control sets Q100 and up; QR outlasts the program.
             Form::Statements => match variable.strip_prefix(b"Q") {
                 Some(digits) if digits.first().is_some_and(u8::is_ascii_digit) => digits.len() <= 2,
-                _ => true,
+                _ => !variable.starts_with(b"QR"),
             },
         }
     }

@@ -18,6 +18,8 @@ pub(in super::super) enum Means {
     Machine,
     Plane(WorkPlane),
     Units(Units),
+    /// The same, of F as well.
+    UnitsOfFeed(Units),
     Distances {
         incremental: bool,
     },

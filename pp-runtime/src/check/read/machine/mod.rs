@@ -266,7 +266,7 @@ impl Interpreter {
 
     /// Moves the axes by a line of words of axes and F alone.
     pub(super) fn move_along(&mut self, motion: &Motion, feed: Option<f64>, block: &mut Block) {
-        (block.written, block.only_moves) = (motion.axes.written, true);
+        (block.written, block.only_moves, block.looked_over) = (motion.axes.written, true, 1);
         (block.frame_faults, block.restart, block.early, block.goes_on) = (0, false, None, false);
         block.forget_guards();
         (block.known_before, block.stated) = (self.known, self.stated);
@@ -287,6 +287,7 @@ impl Interpreter {
         block.number = orders.number;
         block.frame_faults = orders.frame_faults;
         block.only_moves = orders.only_moves();
+        block.looked_over = if orders.stops_look_ahead { u8::MAX } else { u8::from(orders.speaks) };
         block.restart = orders.has(|mode| matches!(mode, Mode::Restart | Mode::Units(_)));
         block.forget_guards();
         (block.early, block.goes_on) = (None, false);

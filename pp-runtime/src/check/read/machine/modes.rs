@@ -1,6 +1,7 @@
 //! What codes change in the state of the control.
 
 use super::super::block::{Block, Fault, FeedMode, Length, MAX_AXES, Side, Tilt, TipControl, coolant};
+use super::super::facts::Form;
 use super::super::orders::{Code, LengthCode, Mode, TiltCode, fault};
 use super::{Frames, Interpreter};
 use crate::check::tolerances::UNIT_VECTOR;
@@ -154,6 +155,9 @@ impl Interpreter {
     fn set_tip_control(&mut self, on: bool, faults: &mut Vec<Fault>) {
         let state = &mut self.state;
         if on {
+            if self.facts.form == Form::Statements && state.tip_control != TipControl::Off {
+                fault(faults, 0, "tip control is on already: M128 and FUNCTION TCPM do not replace each other");
+            }
             state.tip_control = TipControl::On { start: self.values };
             if self.facts.tip_control_has_form {
                 state.in_plane = None;

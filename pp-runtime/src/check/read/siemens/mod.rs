@@ -161,7 +161,9 @@ fn keyword(line: &mut Line<'_>, calls: &mut Calls) -> bool {
     let start = line.at.column();
     let name = line.at.name();
     line.orders.speaks = true;
+    line.orders.stops_look_ahead |= name.eq_ignore_ascii_case(b"STOPRE");
     if line.at.peek() == Some(b'(') {
+        line.orders.stops_look_ahead |= !name.eq_ignore_ascii_case(b"MSG");
         return calls::call(line, name, calls, start);
     }
     let Some(row) = line.language().word(name) else { return false };
