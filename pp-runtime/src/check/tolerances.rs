@@ -28,6 +28,9 @@ crate::tolerance::tolerances! {
     PERPENDICULAR_AXES: f64 = 1e-12, "1", "directions of a declaration: rounding of arithmetic",
         equals PERPENDICULAR_AXES;
 
+    /// Largest cosine between directions of linear axes, rotary ones where they are, that are perpendicular.
+    PERPENDICULAR_THERE: f64 = 1e-9, "1", "rounding of the arithmetic of angles", equals ORTHOGONAL_MAP;
+
     /// Largest difference between the shares of two linear axes in the tool axis that are equal.
     EQUAL_TOOL_SHARE: f64 = 1e-9, "1", "directions of a declaration: rounding of arithmetic", equals EQUAL_TOOL_SHARE;
 

@@ -23,8 +23,8 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::words::Words;
 use super::{
-    Axis, BlockCurves, BlockDeviation, CSource, Deviation, Dimension, Explanation, Invalid, Joint, Machine,
-    MotionBound, Pose, RotaryAngles, Solutions, Unreachable,
+    Axis, AxisKind, BlockCurves, BlockDeviation, CSource, Deviation, Dimension, Explanation, Invalid, Joint, Machine,
+    MotionBound, Pose, RotaryAngles, Side, Solutions, Unreachable,
 };
 
 /// Most axes that a chain can have: X Y Z U V W A B C.
@@ -122,6 +122,18 @@ pub(super) fn trimmed<M: Machine>(values: &AxisValues) -> M::Axes {
 #[cold]
 fn full_bound(curves: BlockCurves) -> BlockDeviation {
     BlockDeviation::UpTo(curves.bound())
+}
+
+/// A linear axis that rotates with a rotary one, which is nearer to the bed: first the rotary axis. Held axes do not count.
+pub(crate) fn carried(axes: &[Axis]) -> Option<[&Axis; 2]> {
+    let solved = |side: Side| axes.iter().filter(move |axis| !axis.held && axis.side == side);
+    let (head, table): (Vec<&Axis>, Vec<&Axis>) =
+        (solved(Side::Tool).collect(), solved(Side::Workpiece).rev().collect());
+    [head, table].iter().find_map(|from_bed| {
+        let carrier = from_bed.iter().position(|axis| axis.kind == AxisKind::Rotary)?;
+        let linear = from_bed[carrier..].iter().position(|axis| axis.kind == AxisKind::Linear)?;
+        Some([from_bed[carrier + linear - 1], from_bed[carrier + linear]])
+    })
 }
 
 impl<M: Machine> AnyMachine for M {

@@ -45,7 +45,7 @@ mod solutions;
 mod words;
 
 #[cfg(feature = "std")]
-pub(crate) use any::AnyMachine;
+pub(crate) use any::{AnyMachine, carried};
 #[cfg(feature = "std")]
 pub use any::{AxisValues, MAX_AXES};
 #[cfg(feature = "std")]

@@ -47,8 +47,7 @@ crate::tolerance::tolerances! {
         alone "it chooses the form of an approach, which the check reads from the blocks";
 
     /// Largest deviation of a map from an orthogonal one.
-    ORTHOGONAL_MAP: f64 = 1e-9, "1", "rounding of the arithmetic of angles",
-        alone "it chooses arcs and cycles, which the check follows at points";
+    ORTHOGONAL_MAP: f64 = 1e-9, "1", "rounding of the arithmetic of angles", equals PERPENDICULAR_THERE;
 
     /// Sine of the angle between two tool axes below which they have no great circle.
     NO_GREAT_CIRCLE: f64 = 1e-12, "1", "its direction would be rounding of arithmetic",

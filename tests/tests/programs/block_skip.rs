@@ -88,7 +88,7 @@ fn only(program: &str, control: &dyn Control, wanted: impl Fn(&str) -> bool) -> 
 #[test]
 fn the_header_states_that_blocks_may_be_left_out() {
     for control in control::CONTROLS {
-        let config = config(*control, "");
+        let config = config(*control, "length_guard = false\nplane_guard = false\n[control]\npreselect = false\n");
         let states = |cl: &str| {
             let program = posted::<SpinnerU5620>(&config, *control, cl).to_lowercase();
             program.contains("condition block skip is as meant")

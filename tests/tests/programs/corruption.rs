@@ -266,8 +266,10 @@ fn pose_difference<M: Machine>(
         let counts = |index: &usize| !free || M::AXES.get(*index).is_none_or(|axis| axis.kind == AxisKind::Linear);
         let off = (0..was.values.len()).filter(counts).map(|index| (was.values[index] - is.values[index]).abs());
         let off = off.fold(0.0, f64::max);
+        // A word of an axis that is where it was adds nothing, but to a motion in machine coordinates.
+        let other_words = was.written != is.written && (was.action == Action::Machine || was.known & !is.known != 0);
         // Words of exactly so many units differ by a little more in binary.
-        let moved = off > UNITS * unit + 1e-9 || was.written != is.written;
+        let moved = off > UNITS * unit + 1e-9 || other_words;
         return moved.then(|| format!("a coordinate is {off:.4} off"));
     }
     let ((tip, axis), (damaged_tip, damaged_axis)) = (pose::<M>(config, was), pose::<M>(config, is));

@@ -61,7 +61,9 @@ fn under_tip_control_the_path_of_a_rapid_is_checked_against_the_limits() {
         let posted = Posted::new(control, &config, &format!("{HEAD}{INWARDS}"));
         let found = posted.findings(&posted.program);
         assert!(found.iter().all(|found| found.location.line == 8), "{control}: {found:?}");
-        found.into_iter().map(|found| found.text).collect::<Vec<String>>().join("; ")
+        // The header states how rapids move: the lines of the program count differently.
+        let without_line = |text: String| text.split("; line").next().unwrap_or_default().to_owned();
+        found.into_iter().map(|found| without_line(found.text)).collect::<Vec<String>>().join("; ")
     };
     let (linear, apart) = ("linear_rapids = true", "linear_rapids = false");
     for (control, usual) in [("fanuc", apart), ("siemens", linear), ("heidenhain", linear), ("haas", apart)] {

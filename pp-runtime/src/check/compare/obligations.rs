@@ -272,10 +272,9 @@ mod tests {
 
     /// Steps that no duty asks for by themselves: the path of the first is compared, the others are in the state of each block or
     /// come before their place.
-    const OF_OTHERS: [SequenceStep; 6] = [
+    const OF_OTHERS: [SequenceStep; 5] = [
         SequenceStep::LeadOut,
         SequenceStep::LeadOutIfTilted,
-        SequenceStep::InverseTimeOff,
         SequenceStep::CoolantOff,
         SequenceStep::OperationEnd,
         SequenceStep::BlockSkipEnd,

@@ -11,6 +11,7 @@ use nalgebra::{Matrix3, Vector3};
 use wide::f64x2;
 
 use super::super::read::MAX_AXES;
+use crate::check::tolerances::PERPENDICULAR_THERE;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
 
 /// One factor of the product.
@@ -250,6 +251,16 @@ impl Chain {
         }
         let [_, speed] = vectors(&moving);
         speed
+    }
+
+    /// Whether linear axes lead the tip in perpendicular directions with the rotary axes at these values. `linear`: their positions.
+    pub(crate) fn is_perpendicular(&self, values: &[f64; MAX_AXES], linear: impl Iterator<Item = usize>) -> bool {
+        let unit = |place: usize| std::array::from_fn(|index| if index == place { 1.0 } else { 0.0 });
+        let directions: Vec<_> = linear.map(|place| self.speed(values, &unit(place))).collect();
+        directions
+            .iter()
+            .enumerate()
+            .all(|(place, one)| directions[place + 1..].iter().all(|other| one.dot(other).abs() <= PERPENDICULAR_THERE))
     }
 
     /// Tip positions of the axis values around `values`, each by `by` or less on its own, mm and rad.

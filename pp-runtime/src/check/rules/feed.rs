@@ -5,6 +5,10 @@
 //! be faster than it can, or the control has a largest F or a shortest block. Where no rotary word changes and the linear axes
 //! are perpendicular F is the feed of the tip; elsewhere it applies to the control's own path.
 
+use std::f64::consts::TAU;
+
+use nalgebra::Rotation3;
+
 use super::super::expect::Required;
 use super::super::policy::{CheckPolicy, FeedPath, LinearMeaning};
 use super::super::read::{Facts, FeedMode, MAX_AXES, State, set_bits};
@@ -25,6 +29,8 @@ pub(crate) struct Stroke {
     pub(crate) longest_mm: f64,
     /// Bounds of the largest speed of the tip, times the time of the block, mm; 0 where the tip is led evenly.
     pub(crate) tip_rate_mm: [f64; 2],
+    /// The linear axes are perpendicular with the rotary axes where they are at its end.
+    pub(crate) perpendicular: bool,
     /// Change of the axis values, mm and rad.
     pub(crate) change: [f64; MAX_AXES],
     /// Largest speeds of the axes within the block, times its time, where the axes do not move evenly and the control does not
@@ -46,7 +52,7 @@ impl Stroke {
 #[derive(Debug, Clone)]
 pub(crate) struct FeedLaw {
     path: FeedPath,
-    /// The linear axes are perpendicular to each other.
+    /// The linear axes are perpendicular to each other wherever the rotary axes are.
     perpendicular: bool,
     rotary_bits: u16,
     linear_bits: u16,
@@ -77,6 +83,7 @@ pub(crate) struct FeedLaw {
 #[derive(Debug, Clone, Copy)]
 struct Extent {
     length_mm: f64,
+    perpendicular: bool,
     /// Largest speed of the tip times the time of the block, mm.
     tip_rate_mm: f64,
     /// Path of the linear axes, mm.
@@ -136,6 +143,11 @@ impl FeedLaw {
         self.along_tip = meaning == LinearMeaning::TipCoordinates;
     }
 
+    /// Whether it depends on the rotary axes if the linear ones are perpendicular.
+    pub(crate) fn needs_directions(&self) -> bool {
+        !self.perpendicular
+    }
+
     /// Whether largest speeds of axes may hold a block back.
     pub(crate) fn needs_axes(&self) -> bool {
         !self.speeds.is_empty()
@@ -161,7 +173,8 @@ impl FeedLaw {
         let least_min = self.least_min(stroke, 0.0);
         let linear_mm = linear.sqrt();
         let (length_mm, tip_rate_mm) = (stroke.length_mm, stroke.tip_rate_mm[0]);
-        Extent { length_mm, tip_rate_mm, linear_mm, rotary_deg: degrees.sqrt(), rotation_rad, least_min }
+        let perpendicular = self.perpendicular || stroke.perpendicular;
+        Extent { length_mm, perpendicular, tip_rate_mm, linear_mm, rotary_deg: degrees.sqrt(), rotation_rad, least_min }
     }
 
     /// Time that the axes need at their largest speeds, minutes. `error`: share of one unit that is added
@@ -188,7 +201,7 @@ impl FeedLaw {
 
     /// Whether F applies to the tip path because nothing else moves, whatever the control counts otherwise.
     fn is_plain(&self, extent: &Extent) -> bool {
-        self.perpendicular && !self.rotates(extent)
+        extent.perpendicular && !self.rotates(extent)
     }
 
     fn mode(&self, extent: &Extent) -> FeedMode {
@@ -319,6 +332,7 @@ impl FeedLaw {
         let rotary = if self.rotates(extent) { self.unit_rad } else { 0.0 };
         [1.0, -1.0].map(|sign| Extent {
             length_mm: stroke.length_mm,
+            perpendicular: extent.perpendicular,
             tip_rate_mm: stroke.tip_rate_mm[usize::from(sign > 0.0)],
             linear_mm: (extent.linear_mm - sign * linear).max(0.5 * linear),
             rotary_deg: (extent.rotary_deg - sign * 1.5 * rotary.to_degrees()).max(0.0),
@@ -493,14 +507,29 @@ fn decade(value: f64) -> i32 {
     if value.abs() >= 10_f64.powi(below + 1) { below + 1 } else { below }
 }
 
-/// Whether the linear axes are perpendicular to each other: the path of the words is as long as that of the tip.
-fn is_perpendicular(machine: &dyn AnyMachine) -> bool {
-    let linear = (0..machine.axes().len())
-        .filter(|&index| machine.axes()[index].kind == AxisKind::Linear && !machine.axes()[index].held);
-    let directions: Vec<_> = linear.map(|index| machine.joint(index).direction).collect();
-    let pairs = directions.iter().enumerate().flat_map(|(index, a)| directions[..index].iter().map(move |b| (a, b)));
-    let mut pairs = pairs;
-    pairs.all(|(a, b)| a.dot(b).abs() < PERPENDICULAR_AXES)
+/// Whether the linear axes are perpendicular to each other wherever the rotary axes are: the path of the words is as long as that
+/// of the tip. By each angle of a rotary axis between two of them their product is `a + b cos θ + c sin θ`: it is zero everywhere
+/// if it is so at three angles.
+pub(super) fn is_perpendicular(machine: &dyn AnyMachine) -> bool {
+    let axes = machine.axes();
+    let linear =
+        (0..axes.len()).filter(|&index| axes[index].kind == AxisKind::Linear && !axes[index].held).collect::<Vec<_>>();
+    let turns = |index: usize| {
+        let thirds: &[f64] = if axes[index].held { &[0.0] } else { &[0.0, 1.0, 2.0] };
+        let (joint, start) = (machine.joint(index), machine.held()[index]);
+        thirds.iter().map(move |third| {
+            let angle = if axes[index].held { start } else { third * TAU / 3.0 };
+            Rotation3::from_axis_angle(&joint.direction, joint.sign * angle)
+        })
+    };
+    let stays = |one: usize, other: usize| {
+        let mut placed = vec![machine.joint(other).direction.into_inner()];
+        for index in (one + 1..other).rev().filter(|&index| axes[index].kind == AxisKind::Rotary) {
+            placed = turns(index).flat_map(|turn| placed.iter().map(move |direction| turn * direction)).collect();
+        }
+        placed.iter().all(|direction| machine.joint(one).direction.dot(direction).abs() < PERPENDICULAR_AXES)
+    };
+    linear.iter().enumerate().all(|(place, &one)| linear[place + 1..].iter().all(|&other| stays(one, other)))
 }
 
 #[cfg(test)]
@@ -534,7 +563,16 @@ mod tests {
         (change[0], change[1]) = (length, degrees.to_radians());
         let feed = Some(Feed::PerMinute(feed));
         let (longest_mm, tip_rate_mm) = (f64::INFINITY, [0.0; 2]);
-        Stroke { length_mm: length, longest_mm, tip_rate_mm, change, uneven: None, feed, speed_rev_per_min: None }
+        Stroke {
+            length_mm: length,
+            longest_mm,
+            tip_rate_mm,
+            perpendicular: true,
+            change,
+            uneven: None,
+            feed,
+            speed_rev_per_min: None,
+        }
     }
 
     fn passes(law: &FeedLaw, stroke: &Stroke, mode: FeedMode, feed: f64) -> bool {

@@ -242,7 +242,16 @@ impl<'a> Rules<'a> {
         let change = std::array::from_fn(|index| to[index] - from[index]);
         let (longest_mm, tip_rate_mm, feed, speed_rev_per_min) = (length_mm, [0.0; 2], None, None);
         self.law.minutes(
-            &Stroke { length_mm, longest_mm, tip_rate_mm, change, uneven: None, feed, speed_rev_per_min },
+            &Stroke {
+                length_mm,
+                longest_mm,
+                tip_rate_mm,
+                perpendicular: self.is_perpendicular(to),
+                change,
+                uneven: None,
+                feed,
+                speed_rev_per_min,
+            },
             state,
         )
     }
@@ -347,7 +356,13 @@ impl<'a> Rules<'a> {
         let longest_mm = if rests { 0.0 } else { longest_mm };
         let speed_rev_per_min = required.spindle.map(|(speed, _)| speed);
         let uneven = self.uneven(before, block);
-        Stroke { length_mm, longest_mm, tip_rate_mm: [0.0; 2], change, uneven, feed, speed_rev_per_min }
+        let perpendicular = self.is_perpendicular(&self.words.values(&block.values));
+        Stroke { length_mm, longest_mm, tip_rate_mm: [0.0; 2], perpendicular, change, uneven, feed, speed_rev_per_min }
+    }
+
+    /// Whether the linear axes are perpendicular at these axis values, in general or because of the rotary ones.
+    pub(super) fn is_perpendicular(&self, values: &[f64; MAX_AXES]) -> bool {
+        !self.law.needs_directions() || self.words.is_perpendicular(values)
     }
 
     /// Whether F of a block that goes along a motion is right whatever the largest speed of the tip times the time of the block is
@@ -579,10 +594,17 @@ fn is_solved(axis: &Axis, kind: AxisKind) -> bool {
 }
 
 /// Largest distance of the corner of a box from its middle, in halves of its edges: the sum of the rounding of every
-/// linear word.
+/// linear word. With a rotary axis between two linear ones these may come to be nearly parallel.
 fn corner(machine: &dyn AnyMachine) -> f64 {
-    let linear = (0..machine.axes().len()).filter(|&index| is_solved(&machine.axes()[index], AxisKind::Linear));
-    let directions: Vec<_> = linear.map(|index| machine.joint(index).direction.into_inner()).collect();
+    let axes = machine.axes();
+    let linear: Vec<usize> = (0..axes.len()).filter(|&index| is_solved(&axes[index], AxisKind::Linear)).collect();
+    if let [first, .., last] = linear[..]
+        && axes[first..last].iter().any(|axis| is_solved(axis, AxisKind::Rotary))
+        && !feed::is_perpendicular(machine)
+    {
+        return linear.len() as f64;
+    }
+    let directions: Vec<_> = linear.iter().map(|&index| machine.joint(index).direction.into_inner()).collect();
     let signs = (0..8_u8).map(|bits| {
         let signed = directions.iter().enumerate().map(|(index, d)| if bits & (1 << index) == 0 { *d } else { -d });
         signed.sum::<Vector3<f64>>().norm()

@@ -304,6 +304,12 @@ impl Words {
         if state.vector.is_some() { None } else { self.axes_with_rotary(words, state) }
     }
 
+    /// Whether the linear axes lead the tip in perpendicular directions with the rotary axes at these axis values.
+    pub(crate) fn is_perpendicular(&self, values: &[f64; MAX_AXES]) -> bool {
+        // No control applies F along U, V, W in a block that moves one of X, Y, Z.
+        self.xyz().iter().all(Option::is_some) && self.chain.is_perpendicular(values, set_bits(self.linear_bits()))
+    }
+
     /// The same with the rotary words that the control has chosen.
     pub(crate) fn axes_with_rotary(&self, words: &[f64; MAX_AXES], state: &State) -> Option<[f64; MAX_AXES]> {
         let values = self.values(words);

@@ -5,7 +5,12 @@
 //!
 //! With `s` the share of the block, `θ` the sum of its rotations, `ΔP` its tip path and `w` a bound of the distance from the
 //! tip to the centre lines, a linear axis `q(s)` has `|q'''| <= J = w θ³ + 3 |ΔP| θ²`, times the length of its row in the map from
-//! the workpiece to the axes. Over a part of length `h` that it passes with the step `Δ`, `Δ'` being that of a part next to it,
+//! the workpiece to the axes.
+//!
+//! Where a rotary axis carries a linear one, the map `A` itself changes: with `r` its longest row `|A'| <= r² θ`, `|A''| <= 3 r³ θ²`
+//! and `|A'''| <= 13 r⁴ θ³`, so that `J = r⁴ (26 w θ³ + 18 |ΔP| θ²)`.
+//!
+//! Over a part of length `h` that it passes with the step `Δ`, `Δ'` being that of a part next to it,
 //!
 //! ```text
 //! q'(½) = Δ/h within h² J/24,   q''(½) = (Δ' - Δ)/h² within 3 h J/2,   |q'(s)| = |q'(½) + (s - ½) h q''(½)| within h² J/8
@@ -16,19 +21,22 @@
 use nalgebra::Point3;
 
 use super::{AxisPosition, Placer};
-use crate::kinematics::{AxisValues, Side};
+use crate::kinematics::{AxisValues, Side, carried};
 use crate::motion::tolerances::TIME_BOUND;
 
 /// Least and most parts of a block.
 const LEAST_PARTS: f64 = 4.0;
 const MOST_PARTS: f64 = 1024.0;
 
+/// A block that takes so many times as long leads by a place at which linear axes are parallel: it would take forever.
+const MOST_SLOWED: f64 = 1000.0;
+
 impl Placer {
     /// Time of a block under tip control in which no axis exceeds its speed anywhere, min; 0 if speeds need not be kept. It may be
     /// any time up to `enough_min` where that is long enough.
     ///
-    /// The block is divided until the bound is at most a hundredth above the time that is needed. Where linear axes are between
-    /// the rotary ones or not perpendicular, `|q'''|` is bounded by the longest row of the map at both ends.
+    /// The block is divided until the bound is at most a hundredth above the time that is needed. The longest row of the map is that at
+    /// both ends.
     pub(crate) fn least_minutes_at_tip(&self, from: &AxisPosition, to: &AxisPosition, enough_min: f64) -> f64 {
         let ends = self.least_minutes(from, to).unwrap_or(0.0);
         let rotation: f64 =
@@ -41,7 +49,11 @@ impl Placer {
         loop {
             let Some(minutes) = self.minutes_by_parts(from, to, parts, jerk_mm / (parts * parts)) else { return ends };
             let [needed, bound] = minutes.map(|minutes| minutes.max(ends));
-            if bound <= enough_min || bound <= TIME_BOUND * needed || parts >= MOST_PARTS {
+            let exact = bound <= TIME_BOUND * needed;
+            if carried(self.chain).is_some() && (needed > MOST_SLOWED * enough_min || !exact && parts >= MOST_PARTS) {
+                return f64::INFINITY;
+            }
+            if bound <= enough_min || exact || parts >= MOST_PARTS {
                 return bound;
             }
             parts *= 4.0;
@@ -98,7 +110,13 @@ impl Placer {
             .into_iter()
             .filter_map(|end| self.axis_map(end))
             .map(|(_, map)| (0..3).map(|row| map.row(row).norm()).fold(0.0, f64::max));
-        row.fold(1.0, f64::max) * rotation * rotation * (lever * rotation + 3.0 * travel)
+        let row = row.fold(1.0, f64::max);
+        let bound =
+            |of_lever: f64, of_travel: f64| rotation * rotation * (of_lever * lever * rotation + of_travel * travel);
+        match carried(self.chain) {
+            None => row * bound(1.0, 3.0),
+            Some(_) => row.powi(4) * bound(26.0, 18.0),
+        }
     }
 }
 

@@ -38,16 +38,28 @@ fn rotated(joint: &Joint, angle_rad: f64, vector: &Vector3<f64>) -> Vector3<f64>
     nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle_rad) * vector
 }
 
-/// Whether the solved linear axes are perpendicular to each other at any rotary angles: no rotary axis is between them.
+/// Whether the solved linear axes are perpendicular to each other at any rotary angles.
 pub(crate) fn orthogonal(machine: &dyn AnyMachine, axes: &[Axis]) -> bool {
     let solved = solved_linear(axes);
-    let perpendicular = solved.iter().enumerate().all(|(position, &a)| {
-        solved[position + 1..]
-            .iter()
-            .all(|&b| machine.joint(a).direction.dot(&machine.joint(b).direction).abs() < PERPENDICULAR_AXES)
-    });
-    let (Some(&first), Some(&last)) = (solved.first(), solved.last()) else { return false };
-    perpendicular && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
+    let mut pairs = solved.iter().enumerate().flat_map(|(place, &a)| solved[place + 1..].iter().map(move |&b| (a, b)));
+    pairs.all(|(a, b)| {
+        let rotary = (a + 1..b).filter(|&index| axes[index].kind == AxisKind::Rotary);
+        let between: Vec<(Joint, Option<f64>)> =
+            rotary.map(|index| (machine.joint(index), axes[index].held.then(|| machine.held()[index]))).collect();
+        stays_perpendicular(&machine.joint(a).direction, &between, &machine.joint(b).direction)
+    })
+}
+
+/// Whether `a · R₁ ⋯ Rₙ b` is zero at any angles but those given. By the last angle θ the vector is `p + u cos θ + w sin θ`, with
+/// the part `p` of `b` along the axis, the rest `u`, and `w` a quarter of a revolution on: the product is zero at any θ if it is
+/// so for each of the three.
+fn stays_perpendicular(a: &Vector3<f64>, between: &[(Joint, Option<f64>)], b: &Vector3<f64>) -> bool {
+    let Some(((joint, held), before)) = between.split_last() else { return a.dot(b).abs() < PERPENDICULAR_AXES };
+    let along = joint.direction.into_inner() * joint.direction.dot(b);
+    match held {
+        Some(angle_rad) => stays_perpendicular(a, before, &rotated(joint, *angle_rad, b)),
+        None => [along, b - along, joint.direction.cross(b)].iter().all(|part| stays_perpendicular(a, before, part)),
+    }
 }
 
 /// Whether the solved linear axes are X, Y, Z: no control applies F along U, V, W in a block that moves one of X, Y, Z.

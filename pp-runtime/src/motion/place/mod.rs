@@ -321,6 +321,11 @@ impl Placer {
         self.linear.keeps_path_length || self.frame.counts_tip()
     }
 
+    /// The same for a motion of linear axes that ends here.
+    pub(crate) fn keeps_path_length_at(&self, at: &AxisPosition) -> bool {
+        self.keeps_path_length() || self.orthogonal_map(at).is_some()
+    }
+
     pub(crate) fn retract_axis(&self) -> usize {
         self.linear.retract_axis
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::kinematics::{AnyMachine, AxisKind, Side};
+use crate::kinematics::{AnyMachine, Side, carried};
 use crate::motion::options::{Policy, StretchMode, TcpFrame, TcpWords, ToolPosture};
 use crate::set_up::LengthMode;
 
@@ -136,6 +136,13 @@ impl Faults<'_> {
         if self.policy.set_up.length_mode == LengthMode::Gauge {
             self.absent("the control needs an active tool length offset", "leave `length_mode` at \"tip\"");
         }
+        if !kinematics_of_its_own && let Some([rotary, linear]) = carried(self.machine.axes()) {
+            let (rotary, linear) = (rotary.letter, linear.letter);
+            let text = format!(
+                "{rotary} carries {linear}, which rotates with it: the control assumes X, Y and Z next to the bed"
+            );
+            self.absent(&text, "use mode axes");
+        }
         let inclined = ['X', 'Y', 'Z'].into_iter().find(|letter| !is_own_direction(self.machine, *letter));
         match inclined {
             Some(letter) if !kinematics_of_its_own => {
@@ -194,7 +201,8 @@ impl Faults<'_> {
                         interpolated linearly";
             self.setting(text, "use mode axes");
         }
-        if !tip.tcp_confirmed && !plain_chain(machine) {
+        let held = machine.axes().iter().any(|axis| axis.held);
+        if !tip.tcp_confirmed && (held || carried(machine.axes()).is_some()) {
             let text = "the kinematics of the control may not include a held axis, or a linear axis that is not between \
                         table and head";
             self.setting(text, CONFIRM);
@@ -204,16 +212,6 @@ impl Faults<'_> {
 
 /// What to do where the kinematics in the control are those of the machine builder.
 const CONFIRM: &str = "set `tcp_confirmed = true` if the control knows this axis, or use mode axes";
-
-/// Whether no axis is held, and every linear axis is between the rotary axes of the table and those of the head.
-fn plain_chain(machine: &dyn AnyMachine) -> bool {
-    let last_of_table = rotaries(machine.axes(), Side::Workpiece).last();
-    let first_of_head = rotaries(machine.axes(), Side::Tool).next();
-    machine.axes().iter().enumerate().all(|(index, axis)| {
-        let between = last_of_table.is_none_or(|last| index > last) && first_of_head.is_none_or(|first| index < first);
-        !axis.held && (axis.kind == AxisKind::Rotary || between)
-    })
-}
 
 /// Whether the axis of a letter is parallel to that direction of the machine frame; its word may run backwards.
 fn is_own_direction(machine: &dyn AnyMachine, letter: char) -> bool {

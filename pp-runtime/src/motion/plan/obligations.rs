@@ -40,7 +40,6 @@ pub(crate) enum SequenceStep {
     /// The same where the retract axis would not lead out along the tool axis.
     LeadOutIfTilted,
     CoolantOff,
-    InverseTimeOff,
     Retract,
     SpindleOff,
     /// The same where it may be on, or the axes go to where the tool is changed.
@@ -71,22 +70,22 @@ const fn row(at: SequencePlace, reason: Option<BlockReason>, needs: &'static [Se
 #[rustfmt::skip]
 pub(crate) const ROWS: [SequenceRow; 12] = {
     use SequenceStep::{
-        BlockSkipEnd, ChangePosition, CoolantOff, DrainDwell, InverseTimeOff, LeadOut, LeadOutIfTilted, OperationEnd, Parking, Retract,
+        BlockSkipEnd, ChangePosition, CoolantOff, DrainDwell, LeadOut, LeadOutIfTilted, OperationEnd, Parking, Retract,
         SpindleAsAsked, SpindleOff, SpindleOffForChange, ToolEnd,
     };
     [
         row(SequencePlace::Index,         Some(BlockReason::Approach), &[LeadOut, Retract]),
         row(SequencePlace::CompleteState, None,                        &[CoolantOff, Retract]),
         row(SequencePlace::ToolChange,    None,                        &[SpindleOffForChange, DrainDwell, ChangePosition]),
-        row(SequencePlace::OperationEnd,  Some(BlockReason::End),      &[LeadOut, CoolantOff, SpindleAsAsked, InverseTimeOff, Retract]),
-        row(SequencePlace::ToolEnd,       Some(BlockReason::End),      &[CoolantOff, InverseTimeOff, Retract, SpindleOff]),
-        row(SequencePlace::BlockSkip,     Some(BlockReason::Record),   &[LeadOut, CoolantOff, InverseTimeOff, Retract, SpindleOff, ToolEnd]),
+        row(SequencePlace::OperationEnd,  Some(BlockReason::End),      &[LeadOut, CoolantOff, SpindleAsAsked, Retract]),
+        row(SequencePlace::ToolEnd,       Some(BlockReason::End),      &[CoolantOff, Retract, SpindleOff]),
+        row(SequencePlace::BlockSkip,     Some(BlockReason::Record),   &[LeadOut, CoolantOff, Retract, SpindleOff, ToolEnd]),
         row(SequencePlace::Stop,          Some(BlockReason::Record),   &[LeadOut, CoolantOff, Retract, SpindleOff]),
         row(SequencePlace::StopInPlace,   Some(BlockReason::Record),   &[LeadOutIfTilted, SpindleAsAsked]),
         row(SequencePlace::Home,          Some(BlockReason::Record),   &[LeadOut, CoolantOff, Retract, Parking]),
         row(SequencePlace::Standstill,    None,                        &[CoolantOff, Retract, SpindleOff]),
-        row(SequencePlace::SelectionEnd,  Some(BlockReason::End),      &[BlockSkipEnd, LeadOut, CoolantOff, InverseTimeOff, ToolEnd, CoolantOff, Retract, SpindleOff]),
-        row(SequencePlace::End,           Some(BlockReason::End),      &[OperationEnd, LeadOut, ToolEnd, CoolantOff, InverseTimeOff, Retract, SpindleOff]),
+        row(SequencePlace::SelectionEnd,  Some(BlockReason::End),      &[BlockSkipEnd, LeadOut, CoolantOff, ToolEnd, CoolantOff, Retract, SpindleOff]),
+        row(SequencePlace::End,           Some(BlockReason::End),      &[OperationEnd, LeadOut, ToolEnd, CoolantOff, Retract, SpindleOff]),
     ]
 };
 
@@ -111,7 +110,6 @@ impl<S: Sink> Planner<'_, S> {
             SequenceStep::LeadOutIfTilted if self.mover.retracts_along_tool() => {}
             SequenceStep::LeadOutIfTilted => self.leave()?,
             SequenceStep::CoolantOff => self.stop_coolant()?,
-            SequenceStep::InverseTimeOff => self.mover.output_mut().cancel_inverse_time()?,
             SequenceStep::Retract => self.mover.machine_retract()?,
             SequenceStep::SpindleOff => self.spindle.stop(self.mover.output_mut())?,
             SequenceStep::SpindleOffForChange => {

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::config::Config;
-use crate::kinematics::{AnyMachine, Axis, AxisKind, Joint, Side, Sign};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Joint, Side, Sign, carried};
 
 use super::super::NotExpressible;
 use super::rows::XYZ;
@@ -153,25 +153,13 @@ pub(super) fn linear_axes_are_coordinates(machine: &dyn AnyMachine, model: &str)
 
 /// No rotary axis may carry X, Y or Z.
 fn linear_axes_are_next_to_the_bed(machine: &dyn AnyMachine, model: &str) -> Result<(), NotExpressible> {
-    let solved = || machine.axes().iter().filter(|axis| !axis.held);
-    let of_head: Vec<&Axis> = solved().filter(|axis| axis.side == Side::Tool).collect();
-    let of_table: Vec<&Axis> = solved().filter(|axis| axis.side == Side::Workpiece).rev().collect();
-    for side in [of_head, of_table] {
-        let mut carrier = None;
-        for axis in side {
-            match (axis.kind, carrier) {
-                (AxisKind::Rotary, _) => carrier = Some(axis.letter),
-                (AxisKind::Linear, Some(rotary)) => {
-                    return Err(NotExpressible(format!(
-                        "{rotary} carries {linear}: {linear} rotates with {rotary}, and for {model} X, Y and Z must be next to the bed",
-                        linear = axis.letter
-                    )));
-                }
-                (AxisKind::Linear, None) => {}
-            }
-        }
-    }
-    Ok(())
+    carried(machine.axes()).map_or(Ok(()), |[rotary, linear]| {
+        Err(NotExpressible(format!(
+            "{rotary} carries {linear}: {linear} rotates with {rotary}, and for {model} X, Y and Z must be next to the bed",
+            rotary = rotary.letter,
+            linear = linear.letter
+        )))
+    })
 }
 
 /// Machine coordinates of a point of the table that is given from the part zero, mm: the axis values at which the gauge

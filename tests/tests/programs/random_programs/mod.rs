@@ -5,6 +5,7 @@
 //! shortened as long as it fails with the same fault, and printed. `PP_RANDOM_PROGRAMS=N` sets the number of programs
 //! and prints a summary of the outcomes; `PP_RANDOM_SEED=S` sets the first seed; with `N` = 1 the input is printed too.
 
+mod chains;
 pub(crate) mod cl;
 pub(crate) mod set_up;
 mod shorten;
@@ -18,7 +19,7 @@ use pp_runtime::check::read::coolant;
 use pp_runtime::config::{Config, Mode, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::Severity;
-use pp_runtime::kinematics::Machine;
+use pp_runtime::kinematics::{AxisKind, Machine, Side};
 use pp_runtime::{check, post};
 use tests::agreement::{self, Compared};
 use tests::damage::damage;
@@ -87,6 +88,21 @@ impl Case {
             Mode::Plane if control.spellings().plane.is_none() => Mode::Axes,
             mode => mode,
         };
+        Self::with(random, seed, kind, control, mode)
+    }
+
+    /// The case of a seed for a machine, a control and a mode.
+    fn on(kind: &'static MachineKind, control: &'static dyn Control, mode: Mode, seed: u64) -> Self {
+        Self::with(&mut Random::new(seed), seed, kind, control, mode)
+    }
+
+    fn with(
+        random: &mut Random,
+        seed: u64,
+        kind: &'static MachineKind,
+        control: &'static dyn Control,
+        mode: Mode,
+    ) -> Self {
         let (set_up, needs) = set_up::set_up(random, &mut Random::new(!seed), kind, control.spellings().name, mode);
         let cl = cl::program(random, needs);
         Self { kind, control, mode, set_up, cl }

@@ -295,7 +295,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             length_mm,
             tip_rate_mm,
             rotation_rad: block.rotation.map_or(0.0, |(_, angle_rad)| angle_rad),
-            orthogonal: self.placer.keeps_path_length(),
+            orthogonal: self.placer.keeps_path_length_at(to),
             linear_mm,
             rotary_degrees,
             axis_time_min: 0.0,

@@ -30,6 +30,7 @@ impl<S: Sink> Mover<'_, S> {
         if self.position.is_retracted() {
             return Ok(());
         }
+        self.output.cancel_inverse_time()?;
         if self.restarts == 0 {
             self.restart(false)?;
         }
