@@ -15,6 +15,32 @@ use crate::cl::{ClData, ClEvents, ReadingOptions};
 /// Size in bytes above which a progress bar is shown on a terminal.
 pub(crate) const LONG_INPUT_BYTES: u64 = 8 << 20;
 
+/// A line longer than this is none of CL data, bytes: a stream of such a line may have no end, as a device of zeros.
+const LONGEST_LINE: usize = 1 << 20;
+
+/// A stream that fails where a line is too long.
+struct LimitedLines<'s> {
+    stream: &'s mut dyn Read,
+    /// Bytes since the last end of a line.
+    length: usize,
+}
+
+impl Read for LimitedLines<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.stream.read(buffer)?;
+        for byte in &buffer[..count] {
+            self.length = if matches!(byte, b'\n' | b'\r') { 0 } else { self.length + 1 };
+            if self.length > LONGEST_LINE {
+                return Err(io::Error::new(
+                    io::ErrorKind::InvalidData,
+                    "it has a line of more than 1 MiB: it is no CL data",
+                ));
+            }
+        }
+        Ok(count)
+    }
+}
+
 /// CL data, open for reading.
 pub(crate) struct ClSource {
     input: SharedFile,
@@ -67,7 +93,8 @@ impl ClSource {
     pub(crate) fn spool(stream: &mut dyn Read, path: &Path) -> Result<Self, Failure> {
         let folder = std::env::temp_dir();
         let mut file = tempfile::tempfile_in(&folder).map_err(|error| Failure::unwritable(&folder, error))?;
-        let copied = io::copy(stream, &mut NamedWriter { path: &folder, out: &mut file });
+        let mut lines = LimitedLines { stream, length: 0 };
+        let copied = io::copy(&mut lines, &mut NamedWriter { path: &folder, out: &mut file });
         copied.map_err(|error| Failure::unreadable(path, error))?;
         let name = if is_standard(path) { "<stdin>".to_owned() } else { path.display().to_string() };
         Ok(Self::of(file, name, None))

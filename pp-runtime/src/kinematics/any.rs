@@ -46,6 +46,8 @@ pub trait AnyMachine: Words + Send + Sync {
     fn dimensions(&self) -> &'static [Dimension];
     /// [`Machine::HELD`].
     fn held(&self) -> AxisValues;
+    /// [`Machine::UP`].
+    fn up(&self) -> UnitVector3<f64>;
     /// [`Machine::EXPLANATION`].
     fn explanation(&self) -> &'static Explanation;
     /// [`Machine::C_SOURCE`].
@@ -151,6 +153,10 @@ impl<M: Machine> AnyMachine for M {
 
     fn held(&self) -> AxisValues {
         padded::<M>(&M::HELD)
+    }
+
+    fn up(&self) -> UnitVector3<f64> {
+        UnitVector3::new_normalize(Vector3::from(M::UP))
     }
 
     fn explanation(&self) -> &'static Explanation {

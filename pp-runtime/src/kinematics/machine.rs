@@ -184,6 +184,8 @@ pub trait Machine: Default + Clone + Send + Sync + 'static {
     const DIMENSIONS: &'static [Dimension];
     /// Zeros, and the declared values of `hold`.
     const HELD: Self::Axes;
+    /// Unit direction that is up at the machine, machine frame with all axes at zero.
+    const UP: [f64; 3] = [0.0, 0.0, 1.0];
     /// Formulas, branches, singular set and proofs in words.
     const EXPLANATION: &'static Explanation;
     /// The same kinematics as C99, from the same formulas. Empty for a machine written by hand.

@@ -3,7 +3,7 @@
 use core::f64::consts::TAU;
 use core::fmt;
 
-use super::{AxisKind, Limits, Machine, Pose, Solution, Unreachable, math};
+use super::{AxisKind, Invalid, Limits, Machine, Pose, Solution, Unreachable, math};
 
 /// Rounding of an axis value at the end of its travel, mm or rad.
 const ROUNDING: f64 = 1e-9;
@@ -12,6 +12,8 @@ const ROUNDING: f64 = 1e-9;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum NotNearest {
+    /// The dimensions of the machine are missing, or its formulas do not hold with them ([`Machine::validate`]).
+    Invalid(Invalid),
     /// No axis values at all give it.
     Unreachable(Unreachable),
     /// On each branch an axis is outside its travel.
@@ -27,6 +29,7 @@ pub enum NotNearest {
 impl fmt::Display for NotNearest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Invalid(reason) => reason.fmt(f),
             Self::Unreachable(reason) => reason.fmt(f),
             Self::OutsideTravel { axis: axis @ 'A'..='C', value } => {
                 write!(f, "{axis} is outside its travel, at {:.4} degrees", value.to_degrees())
@@ -76,13 +79,14 @@ impl core::error::Error for NotNearest {}
 /// ```
 ///
 /// # Errors
-/// [`NotNearest`]: no axis values give the pose, or none within the travel.
+/// [`NotNearest`]: the machine is not complete, no axis values give the pose, or none within the travel.
 pub fn nearest<M: Machine>(
     machine: &M,
     pose: &Pose,
     now: &M::Axes,
     machine_zero: Option<&M::Axes>,
 ) -> Result<Solution<M::Axes>, NotNearest> {
+    machine.validate().map_err(NotNearest::Invalid)?;
     let mut best: Option<Candidate<M::Axes>> = None;
     let mut outside = None;
     for solution in machine.inverse_kinematics(pose, now).iter() {
@@ -159,6 +163,23 @@ mod tests {
         chain: C B | X Y Z;
         d = (0, 0, 50);
         limits = { B: -30..110, C: -400..300, X: -150..150 };
+    }
+
+    crate::machine! {
+        /// A head whose length each machine has of its own.
+        struct Head;
+        chain: | X Y Z C B;
+        d = { B: (0, 0, pivot) };
+        dims = { pivot: required };
+    }
+
+    #[test]
+    fn a_machine_without_its_dimensions_has_no_answer() {
+        let pose = Pose { tip: Point3::new(1.0, 2.0, 3.0), axis: nalgebra::Vector3::z_axis() };
+        let mut head = Head::default();
+        assert!(matches!(nearest(&head, &pose, &Head::HELD, None), Err(NotNearest::Invalid(Invalid::Required { .. }))));
+        head.pivot = 200.0;
+        assert!(nearest(&head, &pose, &Head::HELD, None).is_ok());
     }
 
     /// All axis values of a pose: each branch, each of seven revolutions of both axes.

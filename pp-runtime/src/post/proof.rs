@@ -13,7 +13,7 @@ use nalgebra::{Point3, Vector3};
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::Diagnostic;
-use crate::kinematics::{AnyMachine, Side};
+use crate::kinematics::{AnyMachine, AxisKind, Limits, Side};
 use crate::motion::{Mode, OperationTable, StretchModes};
 use crate::motion::{Planner, PlanningError, ProofProgram, Sweep, rotaries_of};
 use crate::program::ToolCall;
@@ -26,6 +26,9 @@ use super::survey::{Survey, ToolUse};
 
 /// Largest speed of a rotary axis in a proof program, rad/min: slow enough to read the indicator.
 const MAX_ROTARY_SPEED_RAD_PER_MIN: f64 = 360_f64.to_radians();
+
+/// Cosine from which a rotary axis stands upright.
+const UPRIGHT: f64 = 0.99;
 
 /// A proof program to be written: set-up, control, tool and point.
 #[derive(Clone, Copy)]
@@ -43,8 +46,55 @@ pub struct Proof<'a> {
 /// Writes the proof program of a machine.
 ///
 /// # Errors
-/// A sentence that names what is missing in the set-up, or the position that cannot be reached.
+/// A sentence that names what is missing in the set-up, or the position that cannot be reached; and what would do: a point near, or less
+/// travel of the rotary axes.
 pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, String> {
+    prove_at(machine, proof).map_err(|reason| {
+        let remedy = std::iter::once(None).chain(CAPS_DEG.map(Some)).find_map(|cap| remedy(machine, proof, cap));
+        remedy.map_or_else(|| reason.clone(), |remedy| format!("{reason}; {remedy} would do"))
+    })
+}
+
+/// Travels of the rotary axes that are tried where a proof program cannot be written, to both sides, degrees.
+const CAPS_DEG: [f64; 6] = [90.0, 60.0, 45.0, 30.0, 20.0, 10.0];
+
+/// A point above or beside that of a proof program at which the program can be written, in words, with less travel of the rotary axes
+/// where that is given, degrees.
+fn remedy(machine: &dyn AnyMachine, proof: &Proof<'_>, cap_deg: Option<f64>) -> Option<String> {
+    let mut config = proof.config.clone();
+    let mut keys = Vec::new();
+    for axis in machine.axes().iter().filter(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
+        let (Some(cap_deg), travel) = (cap_deg, config.set_up.limits.get(&axis.letter).copied().unwrap_or(axis.limits))
+        else {
+            break;
+        };
+        let cap = cap_deg.to_radians();
+        let capped = travel.map_or(Limits { lower: -cap, upper: cap }, |travel| Limits {
+            lower: travel.lower.max(-cap),
+            upper: travel.upper.min(cap),
+        });
+        if capped.lower < capped.upper {
+            let [lower, upper] = [capped.lower, capped.upper].map(|end| end.to_degrees().round());
+            keys.push(format!("{} = [{lower}, {upper}]", axis.letter));
+            config.set_up.limits.insert(axis.letter, Some(capped));
+        }
+    }
+    let proof = Proof { config: &config, ..*proof };
+    let from = Vector3::from(proof.point_mm.unwrap_or_default());
+    let up = machine.up().into_inner();
+    let aside = [Vector3::x(), Vector3::y(), Vector3::z()].into_iter().filter(|side| side.dot(&up).abs() < 0.5);
+    let aside: Vec<Vector3<f64>> =
+        aside.flat_map(|side| [25.0, -25.0, 50.0, -50.0, 100.0, -100.0, 200.0, -200.0].map(|mm| side * mm)).collect();
+    let heights = [0.0, 25.0, 50.0, 100.0, 150.0, 200.0, 300.0, 400.0];
+    let mut points = std::iter::once(Vector3::zeros())
+        .chain(aside)
+        .flat_map(|place| heights.map(|mm| <[f64; 3]>::from(from + place + up * mm)));
+    let [x, y, z] = points.find(|point| prove_at(machine, &Proof { point_mm: Some(*point), ..proof }).is_ok())?;
+    let limits = if keys.is_empty() { String::new() } else { format!("`limits = {{ {} }}` and ", keys.join(", ")) };
+    Some(format!("{limits}--point {x},{y},{z}"))
+}
+
+fn prove_at(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, String> {
     let given = proof.config;
     let table = rotaries_of(machine.axes(), Side::Workpiece).next().is_some();
     if proof.point_mm.is_none() && table && !given.is_given("part_origin") {
@@ -65,6 +115,8 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     config.motion.lift_mm = Some(0.0);
     config.motion.mode = mode;
     config.motion.operations = OperationTable::default();
+    // Nothing is cut: there is no contour whose radius a guard would compare.
+    config.motion.compensation = None;
     config.motion.rapids.reorient_rad_per_min = slow;
     let unfit = config.unfit(machine, proof.control);
     if !unfit.is_empty() {
@@ -86,16 +138,26 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     let number = proof.tool.unwrap_or_else(|| default_tool(&config));
     let point = Point3::from(proof.point_mm.unwrap_or_default());
     let length = config.set_up.tools.get(&number).and_then(|tool| tool.length_mm);
-    let lowest = length.filter(|_| table).map(|length| {
-        let rotation = config.set_up.part_rotation;
-        let tip = Vector3::from(config.set_up.part_origin) + rotation * point.coords;
+    // The face of the table is horizontal with its axes at zero, and rotates with it.
+    let (rotation, up) = (config.set_up.part_rotation, machine.up());
+    let height_mm = (Vector3::from(config.set_up.part_origin) + rotation * point.coords).dot(&up);
+    // A chuck, whose axis lies, has no such face.
+    let face = rotaries_of(machine.axes(), Side::Workpiece)
+        .next()
+        .is_some_and(|first| machine.joint(first).direction.dot(&up).abs() > UPRIGHT);
+    if face && height_mm <= 0.0 {
+        return Err(format!(
+            "the tip would be {height_mm:.1} mm above the face of the table: give a point above it (--point)"
+        ));
+    }
+    let lowest = length.filter(|_| face).map(|length| {
         let proof = ProofProgram::new(&mut planner);
-        let heights = proof.tool_axes(&sweeps).map(|axis| tip.z + length * (rotation * axis.into_inner()).z);
-        heights.fold(f64::INFINITY, f64::min)
+        let heights = proof.tool_axes(&sweeps).map(|axis| height_mm + length * (rotation * axis.into_inner()).dot(&up));
+        heights.fold(height_mm, f64::min)
     });
     if let Some(lowest) = lowest.filter(|lowest| *lowest <= 0.0) {
         return Err(format!(
-            "the gauge line of the spindle would come down to {lowest:.1} mm at the height of the table: give a higher point \
+            "the gauge line of the spindle would come down to {lowest:.1} mm above the face of the table: give a higher point \
              (--point), another tool (--tool), or less travel of the tilting axis in `[limits]`"
         ));
     }
@@ -140,7 +202,7 @@ fn survey(number: u32, point: &Point3<f64>, modes: StretchModes) -> Survey {
 struct Clear {
     /// There is such a table.
     table: bool,
-    /// Lowest height of the gauge line above its reference point, mm; `None`: the length of the tool is unknown.
+    /// Lowest height of tip and gauge line above its face, mm; `None`: the length of the tool is unknown, or it has no face.
     lowest: Option<f64>,
 }
 
@@ -184,10 +246,10 @@ fn head(
         lines.push("EMPTY TABLE: no part and no clamps but the indicator, Z up before the start".to_owned());
         lines.push(match clear.lowest {
             Some(lowest) => format!(
-                "the gauge line comes down to {} above the reference point of the table: the spindle must be clear there",
+                "tip and gauge line come down to {} above the face of the table, with its nose lower still: the spindle must be clear there",
                 header.length(lowest)
             ),
-            None => "the length of the tool is unknown: find out how far the spindle comes down to the table".to_owned(),
+            None => "find out how far the spindle comes down to the table, or to what it has in place of a face".to_owned(),
         });
     }
     lines.push("first run: without the indicator, at low feed override, ready to press feed hold".to_owned());

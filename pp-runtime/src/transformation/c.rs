@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, CSource, Side};
 
-use super::{NotExpressible, math};
+use super::{NotExpressible, complete, math};
 
 /// Character of [`CSource`] whose place the prefix takes.
 pub(super) const PREFIX: char = '@';
@@ -22,9 +22,14 @@ pub(super) const PREFIX: char = '@';
 /// int p_linear_axes(const p_machine *m, const double tip[3], double *axes);    /* 0: no solution */
 /// ```
 ///
+/// `p_default` sets the dimensions of this machine, as declared or as set.
+///
 /// # Errors
-/// The machine was not made by `machine!`.
+/// The machine was not made by `machine!`, or its dimensions are missing or invalid ([`Machine::validate`]).
+///
+/// [`Machine::validate`]: crate::kinematics::Machine::validate
 pub fn c_header(machine: &dyn AnyMachine, prefix: &str) -> Result<String, NotExpressible> {
+    complete(machine)?;
     let functions = functions(machine, prefix, &math::own())?;
     let name = machine.name();
     let guard = format!("{}_H", prefix.to_uppercase());
@@ -48,14 +53,31 @@ pub fn c_header(machine: &dyn AnyMachine, prefix: &str) -> Result<String, NotExp
 /// # Errors
 /// The machine was not made by `machine!`.
 pub(super) fn functions(machine: &dyn AnyMachine, prefix: &str, math: &str) -> Result<String, NotExpressible> {
-    let CSource { text, .. } = machine.c_source();
+    let CSource { text, fields } = machine.c_source();
     if text.is_empty() {
         return Err(NotExpressible(format!(
             "{} was not declared with `machine!`: its kinematics exist in Rust only",
             machine.name()
         )));
     }
-    Ok(format!("{math}{text}").replace(PREFIX, prefix))
+    let dimensions: Vec<(&str, f64)> =
+        fields.iter().enumerate().map(|(index, field)| (*field, machine.dimension(index))).collect();
+    let mut functions = math.to_owned();
+    for line in text.split_inclusive('\n') {
+        match assigned(line, &dimensions) {
+            Some(assignment) => functions += &assignment,
+            None => functions += line,
+        }
+    }
+    Ok(functions.replace(PREFIX, prefix))
+}
+
+/// The line that sets a dimension, with the value of this machine.
+fn assigned(line: &str, dimensions: &[(&str, f64)]) -> Option<String> {
+    let (start, rest) = line.split_once("m->")?;
+    let (field, _) = rest.split_once(" = ").filter(|_| start.trim().is_empty())?;
+    let (_, value) = dimensions.iter().find(|(name, value)| *name == field && value.is_finite())?;
+    Some(format!("{start}m->{field} = {value:?};\n"))
 }
 
 /// `C B | X Y Z (C rad, B rad, X mm, Y mm, Z mm)`

@@ -25,6 +25,8 @@
 //! # Ok::<(), pp_runtime::transformation::NotExpressible>(())
 //! ```
 
+use crate::kinematics::AnyMachine;
+
 mod c;
 pub mod linuxcnc;
 mod math;
@@ -37,3 +39,8 @@ pub use sheet::{SheetControl, compare_sheet};
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub struct NotExpressible(pub(crate) String);
+
+/// Refuses a machine whose dimensions are missing, or with which its formulas do not hold.
+fn complete(machine: &dyn AnyMachine) -> Result<(), NotExpressible> {
+    machine.validate().map_err(|invalid| NotExpressible(invalid.to_string()))
+}

@@ -287,7 +287,9 @@ fn findings_about_an_inch_program_are_in_inches_without_noise() {
         let keys = [("formats.".to_owned(), "pitch_inch = 6".to_owned())];
         let config = config(control, &keys);
         let program = tests::posting::posted::<SpinnerU5620>(&config, control, PART);
-        for (from, line) in program.lines().enumerate().map(|(index, line)| (index, line.to_owned())) {
+        // The digest of the kinematics has no lengths.
+        let lines = program.lines().enumerate().filter(|(_, line)| !line.contains("KINEMATICS"));
+        for (from, line) in lines.map(|(index, line)| (index, line.to_owned())) {
             // The last digit of each number, one at a time.
             let digits = line.char_indices().filter(|(at, c)| {
                 c.is_ascii_digit() && !line[at + 1..].starts_with(|c: char| c.is_ascii_digit() || c == '.')

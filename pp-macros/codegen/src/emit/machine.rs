@@ -98,12 +98,15 @@ pub(crate) fn data(model: &Model, explanation: &Explanation, (fields, text): &(V
         Some(value) => in_radians(axis.kind, value),
         None => quote!(0.0),
     });
+    let mut up = [0.0; 3];
+    up[model.up.coordinate] = if model.up.negated { -1.0 } else { 1.0 };
     let explanation = tokens(explanation);
     quote! {
         const NAME: &'static str = #name;
         const AXES: &'static [pp::kinematics::Axis] = &[#(#axes),*];
         const DIMENSIONS: &'static [pp::kinematics::Dimension] = &[#(#dimensions),*];
         const HELD: Self::Axes = [#(#held),*];
+        const UP: [::core::primitive::f64; 3] = [#(#up),*];
         const EXPLANATION: &'static pp::kinematics::Explanation = &#explanation;
         const C_SOURCE: pp::kinematics::CSource =
             pp::kinematics::CSource { fields: &[#(#fields),*], text: #text };

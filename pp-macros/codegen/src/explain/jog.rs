@@ -57,6 +57,18 @@ pub(crate) fn sheet(model: &Model) -> Section {
         let sentence = machine.sentence(id);
         section.line(line("").both("[ ] ", "$\\square$ ").words(&sentence));
     }
+    let pairs = machine.pairs();
+    if !pairs.is_empty() {
+        section.gap();
+        section.words(
+            "Which axis carries which: leave the rotary axis there, jog the linear one, then bring both back. If a line is false, \
+             the order of the chain is wrong.",
+        );
+        section.gap();
+    }
+    for sentence in pairs {
+        section.line(line("").both("[ ] ", "$\\square$ ").words(&sentence));
+    }
     section
 }
 
@@ -139,6 +151,39 @@ impl<'a> MachineAtDefaults<'a> {
     fn visible_sign(&self, id: AxisId) -> f64 {
         let Axis { side, reversed, .. } = &self.model.axes[id];
         if (*side == Side::Tool) == *reversed { -1.0 } else { 1.0 }
+    }
+
+    /// A line for each linear axis and each rotary axis on its side that would rotate it, or does.
+    fn pairs(&self) -> Vec<String> {
+        let axes = &self.model.axes;
+        let solved =
+            |kind: AxisKind| (0..axes.len()).filter(move |id| axes[*id].kind == kind && axes[*id].held.is_none());
+        let mut sentences = Vec::new();
+        for rotary in solved(AxisKind::Rotary) {
+            for linear in solved(AxisKind::Linear).filter(|linear| axes[*linear].side == axes[rotary].side) {
+                let direction = self.directions[linear];
+                if self.unknown.contains(&linear) || dot(direction, self.directions[rotary]).abs() > ALONG_COSINE {
+                    continue;
+                }
+                let start = self.start_deg(rotary);
+                let by = jog_angle_deg(&axes[rotary], start);
+                // The chain leads from the workpiece to the tool: in the head the axis nearer to the bed comes first.
+                let carried = (axes[rotary].side == Side::Tool) == (rotary < linear);
+                let turned = rotated(self.directions[rotary], by * self.visible_sign(rotary), direction);
+                let way = scaled(if carried { turned } else { direction }, self.visible_sign(linear));
+                let thing = if axes[linear].side == Side::Workpiece { "table" } else { "spindle" };
+                let same = if carried { "" } else { ", as before" };
+                sentences.push(format!(
+                    "{} at {}, {}+{}: the {thing} moves {}{same}",
+                    axes[rotary].letter,
+                    start + by,
+                    axes[linear].letter,
+                    jog_distance_mm(&axes[linear]),
+                    heading(self.view, way)
+                ));
+            }
+        }
+        sentences
     }
 
     fn sentence(&self, id: AxisId) -> String {

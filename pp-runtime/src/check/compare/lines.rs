@@ -218,6 +218,7 @@ impl Comparison<'_> {
                 self.duties.happens(DutyEvent::StopPassed);
             }
             self.duties.happens(DutyEvent::CompleteState);
+            self.previous.offsets = None;
             self.functions.restart();
         }
         if let Some(guard) = block.guard {

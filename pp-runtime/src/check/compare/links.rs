@@ -206,7 +206,8 @@ impl Comparison<'_> {
         }
         self.duties.happens(DutyEvent::Retract);
         self.functions.retract(&block.state);
-        if at_part || !self.duties.owes(Duty::CompleteState) {
+        // Blocks after it, up to the next complete state, change nothing of that.
+        if at_part || self.previous.offsets.is_none() {
             self.previous.offsets = Some(OffsetsInForce::of(&block.state));
         }
         self.at_station = Default::default();

@@ -186,7 +186,7 @@ struct Previous {
     switched: [bool; 2],
     /// The spindle has been switched on since the last motion.
     started: bool,
-    /// Work offset and length since the last machine retract or line of the shop.
+    /// Work offset and length at the first machine retract after the last cut or complete state, or since a line of the shop.
     offsets: Option<OffsetsInForce>,
 }
 

@@ -133,6 +133,12 @@ fn an_offset_or_a_function_that_is_left_at_the_end_is_found() {
             assert_ne!(left, program);
             assert_told::<OneTable>(control, Mode::Axes, set_up, TWO_OPERATIONS, &left);
         }
+        // The machine retracts once more after a stop.
+        let data = format!("{TWO_OPERATIONS}STOP\n");
+        let program = posted_right::<OneTable>(control, Mode::Axes, set_up, &data);
+        let stop = program.rfind("\nM0\n").or_else(|| program.rfind("\nM00\n")).expect("the stop") + 1;
+        let left = format!("{}G55\n{}", &program[..stop], &program[stop..]);
+        assert_told::<OneTable>(control, Mode::Axes, set_up, &data, &left);
     }
 }
 

@@ -154,6 +154,15 @@ fn a_device_is_written_and_not_replaced() {
     assert!(!fs::metadata("/dev/null").expect("it is there").is_file());
 }
 
+#[cfg(unix)]
+#[test]
+fn a_stream_whose_first_line_has_no_end_is_refused() {
+    let shop = Shop::new();
+    let outcome = run_with(&["post", "/dev/zero", "-o", &shop.arg("part.ngc")], b"", &echo);
+    assert!(outcome.errors.contains("a line of more than 1 MiB"), "{}", outcome.errors);
+    assert!(!shop.path("part.ngc").exists());
+}
+
 #[test]
 fn cl_data_that_changes_or_vanishes_meanwhile_is_status_2() {
     let changes: [fn(&Path); 2] =

@@ -196,7 +196,8 @@ impl Faults<'_> {
             let text = "a tool axis as a vector has no meaning in a frame that does not rotate with the table";
             self.setting(text, "leave `tcp_words` at \"angles\"");
         }
-        if tip.tcp_frame == Some(TcpFrame::NotTurning) && (head || tip.tool_posture == ToolPosture::Plane) {
+        // Without a rotary table no frame rotates.
+        if tip.tcp_frame == Some(TcpFrame::NotTurning) && table && (head || tip.tool_posture == ToolPosture::Plane) {
             let text = "in a frame that does not rotate, the path is certified only for rotary axes of the table that are \
                         interpolated linearly";
             self.setting(text, "use mode axes");

@@ -29,7 +29,7 @@ mod guide;
 use crate::config::Config;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Sign};
 
-use super::{NotExpressible, machine_identifier};
+use super::{NotExpressible, complete, machine_identifier};
 
 /// Order of the axes in LinuxCNC, and of the joints of the module.
 const LETTERS: &str = "XYZABCUVW";
@@ -51,6 +51,7 @@ pub struct ModuleFile {
 /// # Errors
 /// The reason why LinuxCNC cannot express the machine.
 pub fn files(machine: &dyn AnyMachine, config: &Config) -> Result<Vec<ModuleFile>, NotExpressible> {
+    complete(machine)?;
     let module = Module::of(machine, config)?;
     let file = |name: String, text: String| ModuleFile { name, text };
     let mut files = vec![

@@ -21,7 +21,7 @@ mod tests_at_machine;
 use crate::config::Config;
 use crate::kinematics::AnyMachine;
 
-use super::NotExpressible;
+use super::{NotExpressible, complete};
 
 use print::print;
 
@@ -67,6 +67,7 @@ pub fn compare_sheet(
     config: &Config,
     control: SheetControl,
 ) -> Result<String, NotExpressible> {
+    complete(machine)?;
     let sheet = match control {
         SheetControl::Siemens => siemens::sheet(machine, config),
         SheetControl::Fanuc => fanuc::sheet(machine, config),

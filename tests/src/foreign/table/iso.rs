@@ -14,7 +14,6 @@
 //! | R | else | radius of an arc |
 //! | H, D | | registers of length and radius |
 
-use super::super::axes::is_rotary;
 use super::super::lexer::{Number, Token};
 use super::super::meaning::{Address, Command, Meaning, Supply, whole};
 use super::super::state::{
@@ -134,7 +133,7 @@ fn meaning(table: &[Row], control: Control, number: Number) -> Option<Meaning> {
 
 /// The block that some words mean.
 pub(super) fn command(options: &Options, tokens: &[Token], state: &State) -> Result<Command, String> {
-    let mut reader = Reader { options, state, command: Command::default(), letters: Vec::new(), inches: false };
+    let mut reader = Reader { options, state, command: Command::default(), letters: Vec::new() };
     for token in tokens {
         let Token::Word { name, number, .. } = token else { return Err("not a letter with a number".to_owned()) };
         reader.word(name.chars().next().unwrap_or_default(), *number)?;
@@ -149,7 +148,6 @@ struct Reader<'a> {
     command: Command,
     /// Words whose meaning the rest of the block decides.
     letters: Vec<(char, Number)>,
-    inches: bool,
 }
 
 impl Reader<'_> {
@@ -188,12 +186,11 @@ impl Reader<'_> {
         Some(self.letters.remove(index).1)
     }
 
-    /// A length or an angle: least increments where Fanuc and Haas read no point.
-    fn length(&self, letter: char, number: Number) -> f64 {
-        if number.point || self.options.plain_numbers || self.options.control == LinuxCnc {
-            return number.value;
-        }
-        number.value * if self.inches && !is_rotary(letter) { 1e-4 } else { 1e-3 }
+    /// A length or an angle. Where Fanuc and Haas read no point, a setting says what it counts.
+    fn length(&self, number: Number) -> Result<f64, String> {
+        let plain = number.point || self.options.plain_numbers || self.options.control == LinuxCnc;
+        let known = plain || number.value.abs() <= 0.0;
+        known.then_some(number.value).ok_or_else(|| "a number without a point".to_owned())
     }
 
     fn seconds(&self, number: Number) -> f64 {
@@ -202,11 +199,6 @@ impl Reader<'_> {
 
     /// Gives every letter to the code that it belongs to.
     fn conclude(&mut self) -> Result<(), String> {
-        let units = self.command.meanings.iter().find_map(|meaning| match meaning {
-            Meaning::Units(units) => Some(*units),
-            _ => None,
-        });
-        self.inches = units.or(self.state.units) == Some(Units::Inches);
         if self.command.has(Meaning::Dwell) {
             let time = self.take('P').ok_or("a dwell without its time")?;
             self.command.word(Address::Seconds, self.seconds(time))?;
@@ -245,7 +237,7 @@ impl Reader<'_> {
         let arcs = matches!(self.state.motion, Some(MotionMode::Clockwise | MotionMode::CounterClockwise))
             || self.command.meanings.iter().any(|meaning| meaning.group() == Meaning::CancelMotion.group());
         for (letter, number) in std::mem::take(&mut self.letters) {
-            let value = self.length(letter, number);
+            let value = self.length(number)?;
             let address = match letter {
                 'I' => Address::Centre(0),
                 'J' => Address::Centre(1),
@@ -265,7 +257,7 @@ impl Reader<'_> {
         let mut numbers = [0.0; 6];
         for (value, letter) in numbers.iter_mut().zip(['X', 'Y', 'Z', 'I', 'J', 'K']) {
             let number = self.take(letter).ok_or_else(|| format!("a tilted plane without {letter}"))?;
-            *value = self.length(if "IJK".contains(letter) { 'A' } else { letter }, number);
+            *value = self.length(number)?;
         }
         let [x, y, z, i, j, k] = numbers;
         let rotation = match (self.options.control, self.take('Q').map(|order| order.value)) {
@@ -311,10 +303,10 @@ impl Reader<'_> {
             return Ok(());
         }
         if let Some(level) = self.take('R') {
-            self.command.word(Address::Level, self.length('Z', level))?;
+            self.command.word(Address::Level, self.length(level)?)?;
         }
         if let Some(step) = self.take('Q') {
-            self.command.word(Address::Step, self.length('Z', step))?;
+            self.command.word(Address::Step, self.length(step)?)?;
         }
         if let Some(time) = self.take('P') {
             self.command.word(Address::Seconds, self.seconds(time))?;

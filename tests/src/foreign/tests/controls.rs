@@ -110,10 +110,11 @@ fn numbers_count_as_the_control_counts_them() {
         read.motions().next().and_then(|motion| motion.words.get('X')).expect("an X word")
     };
     let near = |one: f64, other: f64| assert_abs_diff_eq!(one, other, epsilon = 1e-12);
-    near(x(Fanuc, "G0 X5", false), 0.005);
+    for (control, block) in [(Fanuc, "G0 X5"), (Haas, "G00 X5")] {
+        assert!(refusal(control, block).contains("without a point"));
+    }
     near(x(Fanuc, "G0 X5", true), 5.0);
     near(x(Fanuc, "G0 X5.", false), 5.0);
-    near(x(Haas, "G00 X5", false), 0.005);
     near(x(LinuxCnc, "G0 X5", false), 5.0);
     let wait = |control, block: &str| {
         let read = run(&program(control, block), &Options::of(control)).expect("it is read");

@@ -15,6 +15,8 @@ use crate::symbolic::Id;
 pub(super) const REACH_TOLERANCE: &str = "1e-6";
 /// Sine below which the first rotary axis is free: `pp_runtime::kinematics::SINGULAR_SINE`.
 pub(super) const SINGULAR_SINE: &str = "1e-15";
+/// Largest difference of the square of a unit vector from 1.
+const UNIT_SQUARED: &str = "1e-6";
 
 /// Variables of the inverse that hold its inputs.
 pub(super) fn variables() -> InputVariables<'static> {
@@ -31,14 +33,20 @@ pub(super) fn inverse(model: &Model, solved: &Solved, code: &mut Code) {
         );
     }
     let comment = format!(
-        "Axis values {} for a pose, branch after branch in `axes`; returns the number of branches, 0 to 2. `held` has the \
-         values of held axes, and of a rotary axis that is free.",
+        "Axis values {} for a pose, branch after branch in `axes`; returns the number of branches, 0 to 2. `axis` is a unit \
+         vector: 0 where its square is off 1 by more than {UNIT_SQUARED}. `held` has the values of held axes, and of a \
+         rotary axis that is free.",
         axes(model)
     );
-    code.function(&comment, signature("inverse"), |code| match &solved.orientation {
-        Orientation::Fixed { deviation } => fixed(model, solved, *deviation, code),
-        Orientation::One(one) => single(model, solved, one, code),
-        Orientation::Two(two) => pair(model, solved, two, code),
+    code.function(&comment, signature("inverse"), |code| {
+        code.line(format!(
+            "if (!(fabs(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2] - 1.0) <= {UNIT_SQUARED})) return 0;"
+        ));
+        match &solved.orientation {
+            Orientation::Fixed { deviation } => fixed(model, solved, *deviation, code),
+            Orientation::One(one) => single(model, solved, one, code),
+            Orientation::Two(two) => pair(model, solved, two, code),
+        }
     });
 }
 
