@@ -431,3 +431,20 @@ fn units_that_leave_out_f_are_found_on_siemens() {
     let found = again::<Mill>("siemens", Mode::Axes, set_up, TWO_OPERATIONS, &program.replace("G710", "G71"));
     assert!(found.iter().any(|text| text.contains("basic unit")), "{found:?}");
 }
+
+/// An arc as flat as its chord is a line of the contour: the planner refuses what the check would find.
+#[test]
+fn an_arc_that_is_its_chord_is_offset_with_its_contour() {
+    let data = "UNITS/MM\nTOOL PATH/A,TOOL,T4\nTLDATA/MILL,10.0,0.0,50.0,0.0,0.0\n\
+                MSYS/0.0,0.0,0.0,1.0,0.0,0.0,0.0,1.0,0.0\nLOADTL/4\nSPINDL/RPM,6495,CLW\nRAPID\nGOTO/60.50366,-17.41285,57.14693,0.0,0.0,1.0\n\
+                FEDRAT/MMPM,576.09506\nGOTO/60.50366,-17.41285,3.50157\nCUTCOM/LEFT\nGOTO/50.29777,-0.20218,3.50157\n\
+                GOTO/61.63656,-9.09379,3.50157\n\
+                CIRCLE/100.26304,-11.98046,3.50157,0.0,0.0,-1.0,38.73419,0.0600,0.5000,10.0,0.0\nGOTO/122.89526,19.45392,3.50157\n\
+                GOTO/113.90129,-28.09651,3.50157,0.0,0.0,1.0\n\
+                CIRCLE/113.63209,-27.96409,3.50157,0.0,0.0,1.0,0.30000,0.0600,0.5000,10.0,0.0\nGOTO/113.88447,-28.12628,3.50157\n\
+                CIRCLE/137.70329,-43.88426,3.50157,0.0,0.0,-1.0,28.55959,0.0600,0.5000,10.0,0.0\nGOTO/136.52888,-72.41970,3.50157\n\
+                CUTCOM/OFF\nGOTO/136.90430,-78.47149,3.50157\nGOTO/136.90430,-78.47149,60.50746\nEND-OF-PATH\n";
+    let set_up = "retract.distance = 100\ncompensation.path = \"centre\"\n";
+    let refused = posted::<Mill>("heidenhain", Mode::Axes, set_up, data).expect_err("the wear does not fit");
+    assert!(refused.iter().any(|fault| fault.text.contains("wear")), "{refused:?}");
+}

@@ -268,15 +268,20 @@ pub(crate) fn arc<'a, S: Sink>(
     if !perpendicular || rise > 0.5 * planner.mover.placer().unit_mm() {
         return Err(in_force_fault("an arc leaves its plane").into());
     }
-    let (before, words) = (planner.mover.output().statistics().chorded, planner.mover.here().words);
+    let (before, from) = (planner.mover.output().statistics().chorded, *planner.mover.here());
+    let elements = planner.cutter.offsets.elements();
     run(planner)?;
     // An arc as flat as its chord is not counted.
     let chorded = planner.mover.output().statistics().chorded != before;
     if chorded || planner.policy.options.arcs.output == ArcOutput::Lines {
         return Err(in_force_fault("an arc follows that is written as chords").into());
     }
-    if planner.mover.placer().rotates(&words, &planner.mover.here().words) {
+    if planner.mover.placer().rotates(&from.words, &planner.mover.here().words) {
         return Err(in_force_fault("a rotary axis rotates").into());
+    }
+    if planner.cutter.offsets.elements() == elements && planner.mover.here().words != from.words {
+        // It is its chord.
+        offset::line(planner, &from)?;
     }
     Ok(())
 }

@@ -20,6 +20,8 @@ pub(crate) struct Offsets {
     /// Distances to the left of the path in words, mm.
     left_mm: [Option<f64>; 2],
     contours: [Option<OffsetContour>; 2],
+    /// Number of elements so far.
+    elements: u64,
     /// Line of the CL data with the last element.
     last_line: u64,
     /// Tools whose radius D holds, and is unknown.
@@ -27,6 +29,11 @@ pub(crate) struct Offsets {
 }
 
 impl Offsets {
+    /// Number of elements that contours have been given so far.
+    pub(super) fn elements(&self) -> u64 {
+        self.elements
+    }
+
     /// Tools whose contours could not be offset.
     pub(crate) fn unknown(&self) -> &BTreeSet<u32> {
         &self.unknown
@@ -121,6 +128,7 @@ fn written<S: Sink>(planner: &Planner<'_, S>, from: &AxisPosition) -> Option<Con
 
 /// Takes the next element.
 fn add<S: Sink>(planner: &mut Planner<'_, S>, element: &ContourElement) -> Result<(), Fault> {
+    planner.cutter.offsets.elements += 1;
     for index in 0..2 {
         if let Some(contour) = &mut planner.cutter.offsets.contours[index] {
             let added = contour.add(element);
