@@ -41,13 +41,12 @@ impl Comparison<'_> {
         }
         let Some(path) = self.side_of(current) else {
             // Where words of its plane lead nowhere, Fanuc ends its look-ahead as after two blocks.
-            let linear = self.rules.words().linear_bits();
             let in_plane = current.block.state.plane.map_or(0, |plane| {
                 let [first, second, _] =
                     plane.axes().map(|axis| self.rules.words().xyz()[axis].map_or(0, |index| 1 << index));
                 first | second
             });
-            let leads_nowhere = current.block.written & linear & in_plane != 0;
+            let leads_nowhere = current.block.written & in_plane != 0;
             return self.idle_in_contour(if leads_nowhere { u8::MAX } else { 1 }, current);
         };
         self.contour.idle = 0;
@@ -79,7 +78,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// A block that stands still in a contour, or leaves its plane.
+    /// A block in a contour that moves nothing.
     pub(super) fn stands_in_contour(&mut self, current: &Current<'_>) {
         let block = current.block;
         if self.contour.side != Side::None && !block.goes_on {

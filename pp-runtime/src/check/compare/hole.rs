@@ -307,7 +307,7 @@ impl CycleComparison<'_> {
         let stroke = Stroke {
             uneven: None,
             tip_rate_mm: [0.0; 2],
-            perpendicular: rules.is_perpendicular(&to),
+            perpendicular: rules.is_perpendicular(|| to),
             length_mm,
             longest_mm: length_mm,
             change: std::array::from_fn(|index| to[index] - from[index]),

@@ -29,7 +29,7 @@ pub(crate) struct Stroke {
     pub(crate) longest_mm: f64,
     /// Bounds of the largest speed of the tip, times the time of the block, mm; 0 where the tip is led evenly.
     pub(crate) tip_rate_mm: [f64; 2],
-    /// The linear axes are perpendicular with the rotary axes where they are at its end.
+    /// The linear axes are perpendicular, everywhere or with the rotary axes where they are at its end.
     pub(crate) perpendicular: bool,
     /// Change of the axis values, mm and rad.
     pub(crate) change: [f64; MAX_AXES],
@@ -173,7 +173,7 @@ impl FeedLaw {
         let least_min = self.least_min(stroke, 0.0);
         let linear_mm = linear.sqrt();
         let (length_mm, tip_rate_mm) = (stroke.length_mm, stroke.tip_rate_mm[0]);
-        let perpendicular = self.perpendicular || stroke.perpendicular;
+        let perpendicular = stroke.perpendicular;
         Extent { length_mm, perpendicular, tip_rate_mm, linear_mm, rotary_deg: degrees.sqrt(), rotation_rad, least_min }
     }
 

@@ -246,7 +246,7 @@ impl<'a> Rules<'a> {
                 length_mm,
                 longest_mm,
                 tip_rate_mm,
-                perpendicular: self.is_perpendicular(to),
+                perpendicular: self.is_perpendicular(|| *to),
                 change,
                 uneven: None,
                 feed,
@@ -356,13 +356,13 @@ impl<'a> Rules<'a> {
         let longest_mm = if rests { 0.0 } else { longest_mm };
         let speed_rev_per_min = required.spindle.map(|(speed, _)| speed);
         let uneven = self.uneven(before, block);
-        let perpendicular = self.is_perpendicular(&self.words.values(&block.values));
+        let perpendicular = self.is_perpendicular(|| self.words.values(&block.values));
         Stroke { length_mm, longest_mm, tip_rate_mm: [0.0; 2], perpendicular, change, uneven, feed, speed_rev_per_min }
     }
 
     /// Whether the linear axes are perpendicular at these axis values, in general or because of the rotary ones.
-    pub(super) fn is_perpendicular(&self, values: &[f64; MAX_AXES]) -> bool {
-        !self.law.needs_directions() || self.words.is_perpendicular(values)
+    pub(super) fn is_perpendicular(&self, values: impl FnOnce() -> [f64; MAX_AXES]) -> bool {
+        !self.law.needs_directions() || self.words.is_perpendicular(&values())
     }
 
     /// Whether F of a block that goes along a motion is right whatever the largest speed of the tip times the time of the block is
