@@ -41,6 +41,9 @@ fn lola_is_jogged_head_with_the_word() {
             "Z+100: the spindle moves up (+Z)",
             "B+90: the spindle head rotates clockwise seen from the front; the tool, which pointed down (-Z), now points left (-X)",
             "A+90: the spindle head rotates counterclockwise seen from the right; the tool, which pointed down (-Z), now points away from you (+Y)",
+            "B at 90, Z+100: the spindle moves up (+Z), as before",
+            "A at 90, Y+100: the spindle moves away from you (+Y), as before",
+            "A at 90, Z+100: the spindle moves up (+Z), as before",
         ]
     );
 }
@@ -67,6 +70,7 @@ fn multiprodesk_is_jogged_table_with_the_word() {
             "Y+100: the table moves away from you (+Y)",
             "X+100: the spindle moves right (+X)",
             "Z+100: the spindle moves up (+Z)",
+            "A at 90, Y+100: the table moves away from you (+Y), as before",
         ]
     );
 }
@@ -82,6 +86,9 @@ fn a_horizontal_tool_points_into_the_machine() {
             "Y+100: the spindle moves away from you (+Y)",
             "Z+100: the spindle moves up (+Z)",
             "A+90: the spindle head rotates counterclockwise seen from the right; the tool, which pointed away from you (+Y), now points up (+Z)",
+            "B at 90, X+100: the table moves left (-X), as before",
+            "A at 90, Y+100: the spindle moves away from you (+Y), as before",
+            "A at 90, Z+100: the spindle moves up (+Z), as before",
         ]
     );
     let sheet = explained(text).jog_sheet.text.join("\n");
@@ -122,6 +129,7 @@ fn a_horizontal_machine_is_jogged_as_it_stands() {
             "Z+100: the table moves away from you (-Z)",
             "X+100: the spindle moves right (+X)",
             "Y+100: the spindle moves up (+Y)",
+            "B at 90, Z+100: the table moves away from you (-Z), as before",
         ]
     );
     let sheet = explained(text).jog_sheet.text.join("\n");
@@ -147,8 +155,14 @@ fn a_flipped_sign_changes_its_sentence_and_no_other() {
         let right = jogs(&format!("chain: {chain};"));
         for (index, letter) in chain.split_whitespace().filter(|word| *word != "|").enumerate() {
             let wrong = jogs(&format!("chain: {chain}; signs = {{ {letter}: - }};"));
+            assert_eq!(right.len(), wrong.len(), "{chain}, {letter}");
             for (place, (right, wrong)) in right.iter().zip(&wrong).enumerate() {
-                assert_eq!(right != wrong, place == index, "{chain}, {letter}: {right} / {wrong}");
+                // A line of two axes names them both, `A at 90, Y+100: ...`; the first counts where it carries the second.
+                let own = right.split_once(" at ").map_or(place == index, |(rotary, line)| {
+                    let moved = line.split_once(", ").is_some_and(|(_, moved)| moved.starts_with(letter));
+                    moved || rotary == letter && !right.ends_with("as before")
+                });
+                assert_eq!(right != wrong, own, "{chain}, {letter}: {right} / {wrong}");
             }
         }
     }
