@@ -1,7 +1,7 @@
 //! What the reader of a program has to know of the set-up: names of axes and tools, codes of the shop.
 
 use super::policy::{CheckPolicy, ShopLine};
-use super::read::{AxisName, Effect, OwnText, Vocabulary, is_read, moves, refusal};
+use super::read::{AxisName, Effect, Lookup, OwnText, Vocabulary, is_read, moves, refusal};
 use crate::kinematics::{AnyMachine, Axis, AxisKind};
 use crate::program::Units;
 
@@ -29,6 +29,7 @@ pub(super) fn vocabulary(machine: &dyn AnyMachine, policy: &CheckPolicy, units: 
         axes: machine.axes().iter().map(axis).collect(),
         own: policy.shop.lines.iter().map(own).collect(),
         effects: declared.collect(),
+        lookup: Lookup::default(),
         swivel_data: policy.shop.swivel_data.clone(),
         spindle_number: policy.shop.spindle_number,
         plain: policy.words.plain_numbers,

@@ -227,7 +227,7 @@ impl Line<'_> {
     /// A code of the control's own spindle is a fault where another one has the tool.
     fn is_spindle_of_tool(&mut self, rotation: Option<Rotation>, (column, end): (usize, usize)) {
         let is_same = |own: &&OwnText| own.place == OwnPlace::Spindle { rotation };
-        if let Some(own) = self.vocabulary().own.iter().find(is_same) {
+        if let Some(own) = self.vocabulary().switches().find(is_same) {
             let (code, own) = (shown(self.at.between(column, end)), shown(&own.text));
             self.fault(
                 column,
@@ -239,7 +239,7 @@ impl Line<'_> {
     /// The kinds of coolant that a code of the control switches on this machine: not those that have another code in the
     /// configuration, or on a control of one's own. A code that has none is a fault.
     fn kinds_of(&mut self, kinds: u8, on: bool, code: u32, (column, end): (usize, usize)) -> u8 {
-        let own = self.vocabulary().own.iter().filter(|own| own.place == OwnPlace::Coolant);
+        let own = self.vocabulary().switches().filter(|own| own.place == OwnPlace::Coolant);
         let (mut left, mut instead) = (kinds, None);
         for bit in (0..u8::BITS).map(|index| 1_u8 << index).filter(|bit| kinds & bit != 0) {
             let switches = |own: &&OwnText| own.coolant.is_some_and(|(bits, is_on)| bits & bit != 0 && is_on == on);

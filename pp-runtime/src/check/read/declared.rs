@@ -4,7 +4,7 @@
 use super::block::Effect;
 use super::facts::Form;
 use super::orders::{Act, Mode, Orders};
-use super::{Reader, Vocabulary, own};
+use super::{InMemory, Reader, Vocabulary, own};
 
 /// Codes that call a program of the shop, whose other words are its arguments.
 const CALLS: [&str; 7] = ["G65", "G66", "G66.1", "M96", "M97", "M98", "M198"];
@@ -73,9 +73,9 @@ fn is_known(text: &str, effect: Effect, vocabulary: &Vocabulary) -> bool {
 
 /// What the control's own language makes of a text, fields having some value.
 fn orders(text: &str, vocabulary: &Vocabulary) -> Orders {
-    let vocabulary = Vocabulary { own: Vec::new(), effects: Vec::new(), ..vocabulary.clone() };
+    let vocabulary = vocabulary.without_shop();
     let line = own::with_values(text.as_bytes(), &vocabulary);
-    let mut reader = Reader::new(&line[..], vocabulary);
+    let mut reader = Reader::new(InMemory(&line), vocabulary);
     // Text in memory is read without errors.
     let _ = reader.next_block();
     reader.orders

@@ -47,6 +47,7 @@ mod tests;
 
 use std::fmt;
 use std::io::{self, Read};
+use std::sync::Arc;
 
 pub(crate) use block::set_bits;
 pub use block::{
@@ -58,7 +59,7 @@ pub(crate) use declared::{moves, refusal};
 pub(crate) use facts::{Facts, Form, GuardSource, LeftOver, LengthRegisters, PoseSelector, SmoothingWords};
 pub(crate) use language::table;
 pub(crate) use machine::AxisName;
-pub(crate) use own::{OwnText, PlacedLines, is_filled, is_read};
+pub(crate) use own::{Lookup, OwnText, PlacedLines, is_filled, is_read};
 pub(in crate::check) use state::settled;
 
 use flow::{Flow, Taken};
@@ -127,6 +128,8 @@ pub(crate) struct Vocabulary {
     pub(crate) own: Vec<OwnText>,
     /// Lines and words whose effect the user has declared.
     pub(crate) effects: Vec<(Vec<u8>, Effect)>,
+    /// Where both are found, once the lines have the form of a bare line.
+    pub(crate) lookup: Lookup,
     /// Name of the swivel data record.
     pub(crate) swivel_data: String,
     /// Number of the spindle of the tool, where its speed has it: `S3=2000`.
@@ -148,6 +151,17 @@ pub(crate) trait Pieces {
     /// # Errors
     /// The program cannot be read.
     fn next_piece(&mut self, piece: &mut Vec<u8>) -> io::Result<()>;
+}
+
+/// A text in memory, as one piece.
+struct InMemory<'a>(&'a [u8]);
+
+impl Pieces for InMemory<'_> {
+    fn next_piece(&mut self, piece: &mut Vec<u8>) -> io::Result<()> {
+        piece.clear();
+        piece.extend_from_slice(std::mem::take(&mut self.0));
+        Ok(())
+    }
 }
 
 impl<R: Read> Pieces for R {
@@ -205,7 +219,7 @@ pub(crate) struct Reader<P> {
     flow: Flow,
     /// The line with numbers in the place of its expressions.
     numbers: Vec<u8>,
-    vocabulary: Vocabulary,
+    vocabulary: Arc<Vocabulary>,
     facts: Facts,
     dialect: Box<dyn Dialect>,
     machine: Interpreter,
@@ -226,8 +240,12 @@ pub(crate) struct Reader<P> {
 }
 
 impl<P: Pieces> Reader<P> {
-    pub(crate) fn new(input: P, mut vocabulary: Vocabulary) -> Self {
-        own::prepare(&mut vocabulary);
+    pub(crate) fn new(input: P, vocabulary: Vocabulary) -> Self {
+        Self::with(input, Arc::new(own::prepare(vocabulary)))
+    }
+
+    /// The same with a vocabulary whose lines can be found already.
+    fn with(input: P, vocabulary: Arc<Vocabulary>) -> Self {
         let facts = vocabulary.family.facts();
         let own_retract = vocabulary.own.iter().any(|own| matches!(own.place, OwnPlace::Retract { .. }));
         let machine = Interpreter::new(vocabulary.axes.clone(), facts, vocabulary.rounding);

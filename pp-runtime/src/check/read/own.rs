@@ -4,12 +4,15 @@
 //! table does not have is executed by the effect that `[control] effects` declares for it, and only in a line of the
 //! configuration; clamp, coolant and tip control codes have the effect of their keys.
 
+use std::collections::HashMap;
+use std::sync::Arc;
+
 use super::block::{Effect, OwnLine, OwnPlace, OwnValues, WorkPlane};
 use super::facts::{Facts, Form};
 use super::line::Line;
 use super::orders::{Act, Mode, effect};
 use super::text::{GOES_ON, shown, take_marks_away};
-use super::{Reader, Vocabulary};
+use super::{InMemory, Reader, Vocabulary};
 
 /// A line of the configuration.
 #[derive(Debug, Clone)]
@@ -113,8 +116,84 @@ fn comments(line: &[u8], facts: &Facts, masked: &mut [u8]) {
     }
 }
 
-/// Brings the lines of the configuration and the declared texts into the form of [`Bare`].
-pub(super) fn prepare(vocabulary: &mut Vocabulary) {
+/// Where texts are found: those without a field by what they are, those with fields one by one.
+#[derive(Debug, Clone, Default)]
+struct ByText {
+    plain: HashMap<Vec<u8>, Vec<usize>>,
+    with_fields: Vec<usize>,
+}
+
+impl ByText {
+    /// Of a text that comes again for the same, the first place.
+    fn of<'a, T: PartialEq>(texts: impl Iterator<Item = (&'a [u8], T)>) -> Self {
+        let mut found = Self::default();
+        let mut known: HashMap<&[u8], Vec<T>> = HashMap::new();
+        for (index, (text, of)) in texts.enumerate() {
+            let others = known.entry(text).or_default();
+            if others.contains(&of) {
+                continue;
+            }
+            others.push(of);
+            match text.contains(&b'{') {
+                true => found.with_fields.push(index),
+                false => found.plain.entry(text.to_vec()).or_default().push(index),
+            }
+        }
+        found
+    }
+
+    /// Places of a text without fields.
+    fn same(&self, text: &[u8]) -> impl Iterator<Item = usize> + Clone {
+        self.plain.get(text).into_iter().flatten().copied()
+    }
+
+    /// Places of the texts that may be a line: the same, and those with fields.
+    fn possible(&self, line: &[u8]) -> impl Iterator<Item = usize> + Clone {
+        self.same(line).chain(self.with_fields.iter().copied())
+    }
+}
+
+/// Where the texts of a vocabulary are found.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Lookup {
+    own: ByText,
+    effects: ByText,
+    /// Codes of the shop in the place of the control's own.
+    switches: Vec<usize>,
+}
+
+impl Vocabulary {
+    /// The control's own words and the names of axes and tools, without anything of the shop.
+    pub(super) fn without_shop(&self) -> Self {
+        Self {
+            axes: self.axes.clone(),
+            own: Vec::new(),
+            effects: Vec::new(),
+            lookup: Lookup::default(),
+            swivel_data: self.swivel_data.clone(),
+            tools: self.tools.clone(),
+            ..*self
+        }
+    }
+
+    /// Lines of the configuration that a line of a program is.
+    fn own_of<'a>(&'a self, line: &'a [u8]) -> impl Iterator<Item = &'a OwnText> + Clone {
+        self.lookup.own.possible(line).map(|index| &self.own[index]).filter(|own| matches(&own.text, line))
+    }
+
+    /// Codes of the shop in the place of the control's own: of clamps, coolant, tip control and spindle.
+    pub(super) fn switches(&self) -> impl Iterator<Item = &OwnText> + Clone {
+        self.lookup.switches.iter().map(|index| &self.own[*index])
+    }
+
+    /// The text with a declared effect that a line is, and its effect.
+    fn declared<'a>(&'a self, line: &'a [u8]) -> Option<&'a (Vec<u8>, Effect)> {
+        self.lookup.effects.possible(line).map(|index| &self.effects[index]).find(|(key, _)| matches(key, line))
+    }
+}
+
+/// Brings the lines of the configuration and the declared texts into the form of [`Bare`], where they are found.
+pub(super) fn prepare(mut vocabulary: Vocabulary) -> Vocabulary {
     let facts = vocabulary.family.facts();
     let mut bare = Bare::default();
     let texts = vocabulary.own.iter_mut().map(|own| &mut own.text);
@@ -130,6 +209,22 @@ pub(super) fn prepare(vocabulary: &mut Vocabulary) {
     }
     vocabulary.own.retain(|own| !own.text.is_empty());
     vocabulary.effects.retain(|(text, _)| !text.is_empty());
+    let is_switch = |own: &OwnText| {
+        matches!(
+            own.place,
+            OwnPlace::Clamp { .. }
+                | OwnPlace::TipControl { .. }
+                | OwnPlace::MillTurn
+                | OwnPlace::Spindle { .. }
+                | OwnPlace::Coolant
+        )
+    };
+    vocabulary.lookup = Lookup {
+        own: ByText::of(vocabulary.own.iter().map(|own| (own.text.as_slice(), (own.place, own.coolant)))),
+        effects: ByText::of(vocabulary.effects.iter().map(|(text, effect)| (text.as_slice(), *effect))),
+        switches: (0..vocabulary.own.len()).filter(|index| is_switch(&vocabulary.own[*index])).collect(),
+    };
+    vocabulary
 }
 
 /// What is declared for a line or for words of it, if it is one of the configuration or declared as a whole. `blanked`
@@ -154,7 +249,7 @@ fn search(line: &[u8], vocabulary: &Vocabulary, bare: &Bare, blanked: &mut Vec<u
     let Bare { masked, text, .. } = bare;
     blanked.clear();
     blanked.extend_from_slice(line);
-    if let Some((_, effect)) = vocabulary.effects.iter().find(|(key, _)| matches(key, text)) {
+    if let Some((_, effect)) = vocabulary.declared(text) {
         // Number and comments stay.
         blanked.iter_mut().zip(masked).filter(|(_, byte)| **byte != b' ').for_each(|(byte, _)| *byte = b' ');
         return Some(Declared { effect: *effect, bits: bits(*effect), whole: true });
@@ -162,7 +257,8 @@ fn search(line: &[u8], vocabulary: &Vocabulary, bare: &Bare, blanked: &mut Vec<u
     let mut found: Option<Declared> = None;
     let mut at = 0;
     for word in masked.split(|byte| *byte == b' ') {
-        if let Some((_, effect)) = vocabulary.effects.iter().find(|(key, _)| key == word) {
+        if let Some(index) = vocabulary.lookup.effects.same(word).next() {
+            let (_, effect) = &vocabulary.effects[index];
             blanked[at..at + word.len()].fill(b' ');
             let before = found.unwrap_or(Declared { effect: Effect::None, bits: 0, whole: false });
             let (effect, bits) = (before.effect.max(*effect), before.bits | bits(*effect));
@@ -170,7 +266,7 @@ fn search(line: &[u8], vocabulary: &Vocabulary, bare: &Bare, blanked: &mut Vec<u
         }
         at += word.len() + 1;
     }
-    found.filter(|_| vocabulary.own.iter().any(|own| matches(&own.text, text)))
+    found.filter(|_| vocabulary.own_of(text).next().is_some())
 }
 
 fn bits(declared: Effect) -> u8 {
@@ -192,7 +288,7 @@ fn bits(declared: Effect) -> u8 {
 pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
     let vocabulary = line.vocabulary();
     let mut found = false;
-    for own in vocabulary.own.iter().filter(|own| own.text == text) {
+    for own in vocabulary.lookup.own.same(text).map(|index| &vocabulary.own[index]) {
         let orders = &mut *line.orders;
         // The machine builder's code takes the place of the control's own of this spelling.
         match own.place {
@@ -261,8 +357,7 @@ fn change_tool(called: Option<&[u8]>, line: &mut Line<'_>) {
 /// The own line that a line is, and what is wrong with it: an effect that is not declared.
 #[cold]
 pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declared>, switched: bool) -> Option<OwnLine> {
-    let own = line.vocabulary().own.iter().filter(|own| matches(&own.text, text));
-    let mut places: Vec<OwnPlace> = own.map(|own| own.place).collect();
+    let mut places: Vec<OwnPlace> = line.vocabulary().own_of(text).map(|own| own.place).collect();
     let effect = declared.map(|declared| declared.effect);
     let unconfirmed = effect == Some(Effect::None) && places.contains(&OwnPlace::Unconfirmed);
     let needs_standstill = unconfirmed || declared.is_some_and(|declared| declared.bits & effect::STANDSTILL != 0);
@@ -278,7 +373,8 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
             line.lasting_fault(0, text);
         }
         if effect == Some(Effect::ToolChange) {
-            let called = line.vocabulary().effects.iter().find_map(|(key, _)| filled(key, text)).and_then(|of| of.tool);
+            let key = line.vocabulary().declared(text);
+            let called = key.and_then(|(key, _)| filled(key, text)).and_then(|of| of.tool);
             change_tool(called, line);
         }
         if whole || line.fault_count() == line.orders.frame_faults {
@@ -300,7 +396,7 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
         let reason = line.first_fault().unwrap_or_default().to_owned();
         line.orders.forget_codes();
         line.excuse();
-        let own = line.vocabulary().own.iter().find(|own| matches(&own.text, text));
+        let own = line.vocabulary().own_of(text).next();
         let key = shown(own.map_or(text, |own| own.text.as_slice()));
         let others: Vec<String> = Effect::NAMES[1..].iter().map(|(name, _)| format!("\"{name}\"")).collect();
         let text = format!(
@@ -336,7 +432,7 @@ fn values(text: &[u8], line: &mut Line<'_>) -> OwnValues {
                 | OwnPlace::OperationEnd
         )
     };
-    let own = line.vocabulary().own.iter().filter(is_of_tool);
+    let own = line.vocabulary().own_of(text).filter(is_of_tool);
     let found = own.filter_map(|own| Some((&own.text, filled(&own.text, text)?)));
     let Some((template, filled)) = found.min_by_key(|(template, filled)| filled.lacks_value(template)) else {
         return OwnValues::default();
@@ -381,8 +477,7 @@ pub(super) fn with_values(line: &[u8], vocabulary: &Vocabulary) -> Vec<u8> {
 /// Whether the table has the codes of a line of the configuration, whatever the values of its fields are.
 pub(crate) fn is_read(line: &[u8], vocabulary: &Vocabulary) -> bool {
     let text = with_values(line, vocabulary);
-    let vocabulary = Vocabulary { own: Vec::new(), effects: Vec::new(), ..vocabulary.clone() };
-    let mut reader = Reader::new(&text[..], vocabulary);
+    let mut reader = Reader::new(InMemory(&text), vocabulary.without_shop());
     // What lacks a mode here has it in the program.
     reader.next_block().is_ok() && !reader.orders.unknown
 }
@@ -397,6 +492,7 @@ pub(crate) fn is_filled(template: &str, line: &[u8], is_tool: impl Fn(&[u8]) -> 
 #[derive(Clone)]
 pub(crate) struct PlacedLines {
     lines: Vec<PlacedLine>,
+    by_text: ByText,
     facts: Facts,
     bare: Bare,
     /// How often work of a tool has begun or ended: at its change, and where blocks that may be skipped begin and end.
@@ -407,7 +503,8 @@ pub(crate) struct PlacedLines {
 struct PlacedLine {
     /// As in [`Vocabulary::own`].
     text: Vec<u8>,
-    place: OwnPlace,
+    /// Its places, and how often it is at each.
+    places: Vec<(OwnPlace, usize)>,
     /// All its codes are the control's: a program has them at other places as well.
     common: bool,
     /// How often it has come, for whatever place.
@@ -417,12 +514,12 @@ struct PlacedLine {
 impl PlacedLines {
     /// The lines of a vocabulary that every program must have. A comment is no block, and where no word of a line is without
     /// a field, or no tool may follow, it may be left out.
-    pub(crate) fn of(mut vocabulary: Vocabulary) -> Self {
-        prepare(&mut vocabulary);
+    pub(crate) fn of(vocabulary: Vocabulary) -> Self {
+        let vocabulary = Arc::new(prepare(vocabulary));
         let facts = vocabulary.family.facts();
         let is_block = |text: &[u8]| {
             let line = [line_number(&vocabulary), text].concat();
-            Reader::new(&line[..], vocabulary.clone()).next_block().is_ok_and(|block| block.is_some())
+            Reader::with(InMemory(&line), Arc::clone(&vocabulary)).next_block().is_ok_and(|block| block.is_some())
         };
         let is_written = |own: &&OwnText| {
             // A tool change has a tool.
@@ -437,15 +534,22 @@ impl PlacedLines {
                 && !has_field(&own.text, "next")
                 && is_block(&own.text)
         };
-        let placed = vocabulary.own.iter().filter(is_written);
-        let line = |own: &OwnText| PlacedLine {
-            text: own.text.clone(),
-            place: own.place,
-            common: is_read(&own.text, &vocabulary),
-            times: 0,
-        };
-        let lines = placed.map(line).collect();
-        Self { lines, facts, bare: Bare::default(), tools: 0 }
+        let mut lines: Vec<PlacedLine> = Vec::new();
+        let mut known: HashMap<&[u8], usize> = HashMap::new();
+        for own in vocabulary.own.iter().filter(is_written) {
+            let index = *known.entry(&own.text).or_insert(lines.len());
+            if index == lines.len() {
+                let common = is_read(&own.text, &vocabulary);
+                lines.push(PlacedLine { text: own.text.clone(), places: Vec::new(), common, times: 0 });
+            }
+            let places = &mut lines[index].places;
+            match places.iter_mut().find(|(place, _)| *place == own.place) {
+                Some((_, times)) => *times += 1,
+                None => places.push((own.place, 1)),
+            }
+        }
+        let by_text = ByText::of(lines.iter().map(|own| (own.text.as_slice(), ())));
+        Self { lines, by_text, facts, bare: Bare::default(), tools: 0 }
     }
 
     /// Whether a line that the program has taken has come more often than the configuration has it. Lines of safety may come again.
@@ -459,8 +563,13 @@ impl PlacedLines {
             OwnPlace::ToolChange | OwnPlace::CheckTool | OwnPlace::ToolEnd { .. } => Some(self.tools + 1),
             _ => None,
         };
-        let of_text = || self.lines.iter().filter(|own| matches(&own.text, text));
-        let most: Option<usize> = of_text().map(|own| of_place(own.place).filter(|_| !own.common)).sum();
+        let of_text =
+            || self.by_text.possible(text).map(|index| &self.lines[index]).filter(|own| matches(&own.text, text));
+        let most_of = |own: &PlacedLine| -> Option<usize> {
+            let most = own.places.iter().map(|(place, times)| Some(of_place(*place).filter(|_| !own.common)? * times));
+            most.sum()
+        };
+        let most: Option<usize> = of_text().map(most_of).sum();
         of_text().next().zip(most).is_some_and(|(own, most)| own.times > most)
     }
 
@@ -471,10 +580,9 @@ impl PlacedLines {
 
     /// Those that have come for one of these places and no other.
     pub(crate) fn come_for(&self, places: impl Fn(OwnPlace) -> bool) -> Vec<(OwnPlace, String)> {
-        let elsewhere =
-            |own: &PlacedLine| self.lines.iter().any(|other| other.text == own.text && !places(other.place));
-        let come = self.lines.iter().filter(|own| own.times > 0 && !own.common && places(own.place) && !elsewhere(own));
-        come.map(|own| (own.place, shown(&own.text))).collect()
+        let only = |own: &&PlacedLine| own.places.iter().all(|(place, _)| places(*place));
+        let come = self.lines.iter().filter(|own| own.times > 0 && !own.common).filter(only);
+        come.flat_map(|own| own.places.iter().map(|(place, _)| (*place, shown(&own.text)))).collect()
     }
 
     /// The work of a tool begins or ends.
@@ -490,16 +598,22 @@ impl PlacedLines {
         self.bare.forget();
         let text = self.bare.text(line, &self.facts);
         let (mut is_of_others, mut may_come) = (false, false);
-        for own in self.lines.iter_mut().filter(|own| matches(&own.text, text)) {
+        for index in self.by_text.possible(text) {
+            let own = &mut self.lines[index];
+            if !matches(&own.text, text) {
+                continue;
+            }
             own.times += 1;
-            let of_other = match own.place {
-                OwnPlace::ToolStart { tool: of } | OwnPlace::ToolEnd { tool: of } => {
-                    tool.is_some_and(|tool| tool != of)
-                }
-                _ => false,
-            };
-            is_of_others |= of_other;
-            may_come |= !of_other;
+            for (place, _) in &own.places {
+                let of_other = match place {
+                    OwnPlace::ToolStart { tool: of } | OwnPlace::ToolEnd { tool: of } => {
+                        tool.is_some_and(|tool| tool != *of)
+                    }
+                    _ => false,
+                };
+                is_of_others |= of_other;
+                may_come |= !of_other;
+            }
         }
         is_of_others && !may_come
     }
@@ -508,7 +622,7 @@ impl PlacedLines {
     pub(crate) fn has(&mut self, line: &[u8]) -> bool {
         self.bare.forget();
         let text = self.bare.text(line, &self.facts);
-        self.lines.iter().any(|own| matches(&own.text, text))
+        self.by_text.possible(text).any(|index| matches(&self.lines[index].text, text))
     }
 
     /// From now on none has come.
@@ -519,10 +633,12 @@ impl PlacedLines {
 
     /// Those of the needed places that have not come. A text that is needed several times must come as often.
     pub(crate) fn missing(&self, needed: impl Fn(OwnPlace) -> bool) -> Vec<(OwnPlace, String)> {
-        let needed: Vec<&PlacedLine> = self.lines.iter().filter(|own| needed(own.place)).collect();
-        let comes_as = |index: usize| needed[..=index].iter().filter(|own| own.text == needed[index].text).count();
-        let missing = needed.iter().enumerate().filter(|(index, own)| own.times < comes_as(*index));
-        missing.map(|(_, own)| (own.place, shown(&own.text))).collect()
+        let of_line = |own: &PlacedLine| {
+            let needed = own.places.iter().filter(|(place, _)| needed(*place));
+            let each = needed.flat_map(|(place, times)| std::iter::repeat_n(*place, *times));
+            each.skip(own.times).map(|place| (place, shown(&own.text))).collect::<Vec<_>>()
+        };
+        self.lines.iter().flat_map(of_line).collect()
     }
 }
 

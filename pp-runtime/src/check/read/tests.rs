@@ -28,6 +28,7 @@ fn vocabulary(family: Family) -> Vocabulary {
             OwnText { text: b"M429".to_vec(), place: OwnPlace::TipControl { on: false }, coolant: None },
         ],
         effects: Vec::new(),
+        lookup: Lookup::default(),
         swivel_data: "TC".to_owned(),
         spindle_number: None,
         plain: false,
