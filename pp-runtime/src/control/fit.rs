@@ -5,7 +5,7 @@ use crate::keys::list;
 use crate::kinematics::{AnyMachine, Side};
 use crate::motion::{
     self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PlaneAbility, Registers, StretchMode, ThreadFeed,
-    TipAbility, TipStart, Transition, UsableModes, Wrap, rotaries_of,
+    TipAbility, TipStart, Transition, UnusedCycles, UsableModes, Wrap, rotaries_of,
 };
 use crate::program::{Coolant, Units};
 use crate::set_up::LengthMode;
@@ -32,6 +32,7 @@ pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'
     let mut faults = unsupported(control, demands);
     faults.extend(unsuited_names(machine, control.spellings(), demands));
     faults.extend(unreadable_axis(control, demands));
+    faults.extend(needs_linear_names(demands));
     faults.extend(unwritable_steps(demands));
     let abilities = abilities(control, demands);
     if demands.options.plane_by == Some(PlaneBy::DynamicOffset)
@@ -273,7 +274,7 @@ fn unsupported_retract(codes: &Spellings, method: Option<&RetractMethod>) -> Opt
 
 /// Tip control: that of the control, or the codes of the configuration.
 fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility> {
-    if !demands.options.has(ControlFunction::TipControl) {
+    if !demands.options.has(ControlFunction::TipControl) || renamed_linear_axis(demands).is_some() {
         return None;
     }
     let configured = demands.options.tip_control_codes().is_some();
@@ -310,6 +311,26 @@ fn no_moved_zero(codes: &Spellings, demands: Demands<'_>) -> Option<String> {
     let (letter, _) = demands.set_up.rotary_offset.iter().find(|(_, offset)| **offset != 0.0)?;
     Some(format!(
         "{code} needs 0 for the rotary axes in the work offset, and `rotary_offset.{letter}` is another value"
+    ))
+}
+
+/// A linear axis whose word is not its letter. Arcs, cycles, planes, tip control and cutter compensation of a control count in X, Y
+/// and Z.
+fn renamed_linear_axis(demands: Demands<'_>) -> Option<(char, &str)> {
+    let renamed = demands.options.axes.iter().map(|(letter, name)| (*letter, name.as_str()));
+    renamed.into_iter().find(|(letter, name)| "XYZ".contains(*letter) && !name.chars().eq([*letter]))
+}
+
+/// What needs the names X, Y and Z, where a linear axis has another one.
+fn needs_linear_names(demands: Demands<'_>) -> Option<String> {
+    let (letter, name) = renamed_linear_axis(demands)?;
+    let mode = demands.motion.mode_of_all().filter(|mode| *mode != StretchMode::Axes);
+    let (what, remedy) = match demands.motion.compensation {
+        Some(_) => ("cutter compensation (`compensation.path`)".to_owned(), "leave `compensation.path` out"),
+        None => (format!("`mode = \"{}\"`", mode?.name()), "set `mode = \"axes\"`"),
+    };
+    Some(format!(
+        "{what} counts in X, Y and Z, and `control.axes` gives {letter} the name {name}: {remedy}, or rename no linear axis"
     ))
 }
 
@@ -385,9 +406,15 @@ fn cycle_abilities(codes: &Spellings, demands: Demands<'_>) -> CycleAbilities {
         }
         CycleForm::Codes(_) | CycleForm::Definitions(_) => false,
     };
+    if renamed_linear_axis(demands).is_some() {
+        let unused = (cycles.abilities != CycleAbilities::default()).then_some(UnusedCycles::AxisNames);
+        return CycleAbilities { unused, ..CycleAbilities::default() };
+    }
     // A cycle runs the spindle of M3.
     let master = demands.options.tool_spindle().is_none();
+    let threads = cycles.abilities.tap || cycles.abilities.fine_bore.is_some();
     CycleAbilities {
+        unused: (!master && threads).then_some(UnusedCycles::OtherSpindle),
         tap: cycles.abilities.tap && master,
         fine_bore: cycles.abilities.fine_bore.filter(|_| master),
         tap_stops_spindle: cycles.abilities.tap_stops_spindle && !floats,
@@ -405,6 +432,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
             demands.options.coolant[index].is_some() || codes.coolant.get(index).copied().flatten().is_some()
         })
     };
+    let has_planes = demands.options.has(ControlFunction::Planes) && renamed_linear_axis(demands).is_none();
     Abilities {
         coolants: Coolant::KINDS.into_iter().filter(has).collect(),
         length_call_may_move: codes.length.call == LengthCall::WithZ,
@@ -418,19 +446,17 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         cutter_radius: cutter_radius(control, demands),
         straight_corners: codes.straight_corners,
         tools_by_name: demands.options.tool_names,
-        arc_planes: codes.arcs.planes.map(|plane| plane.is_some()),
+        arc_planes: codes.arcs.planes.map(|plane| plane.is_some() && renamed_linear_axis(demands).is_none()),
         vectors_take_arc_words: vectors_take_arc_words(codes),
         arc_radius_tolerance_mm: codes.arcs.radius_tolerance_mm,
         helix_by_angle: codes.arcs.centre == ArcCentre::Pole,
         tip: tip_ability(control, demands),
-        plane: codes.plane.as_ref().filter(|_| demands.options.has(ControlFunction::Planes)).map(|plane| {
-            PlaneAbility {
-                angles: plane.angles,
-                decimals: plane.decimals.unwrap_or(demands.formats.rotary),
-                pose: plane.pose,
-                ends_after_retract: plane.cancelled_after_retract,
-                length_first: plane.length_first,
-            }
+        plane: codes.plane.as_ref().filter(|_| has_planes).map(|plane| PlaneAbility {
+            angles: plane.angles,
+            decimals: plane.decimals.unwrap_or(demands.formats.rotary),
+            pose: plane.pose,
+            ends_after_retract: plane.cancelled_after_retract,
+            length_first: plane.length_first,
         }),
         plane_by_moved_zero: demands.options.plane_by != Some(PlaneBy::TiltedPlane)
             && no_moved_zero(codes, demands).is_none(),

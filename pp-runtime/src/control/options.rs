@@ -8,6 +8,7 @@ use crate::keys::{
     AxisSet, Blocks, Bound, KeyKind, KeyReader, KeyScope, ListOf, Measure, OneLine, OneOf, PerAxis, Printed, TomlValue,
     Whole, YesNo, list, nearest, options,
 };
+use crate::kinematics::AxisKind;
 use crate::motion::{self, PathNorm, Policy, Smoothing, nearly_zero};
 use crate::nc::Formats;
 use crate::program::Coolant;
@@ -429,9 +430,10 @@ const AXIS_NAMES: PerAxis<String> = PerAxis {
     section: false,
     read: |r, entry| r.line(entry.value),
     printed: |scope, axis| {
-        let last = scope.axes.last().is_some_and(|last| last.letter == axis.letter);
+        let rotaries = || scope.axes.iter().filter(|axis| axis.kind == AxisKind::Rotary);
+        let last = rotaries().next_back().or(scope.axes.last()).is_some_and(|last| last.letter == axis.letter);
         // A letter that no axis of the machine has.
-        let other = "WVUCBA".chars().find(|letter| scope.axes.iter().all(|axis| axis.letter != *letter))?;
+        let other = "CBAWVU".chars().find(|letter| scope.axes.iter().all(|axis| axis.letter != *letter))?;
         last.then(|| Printed::Example(format!("\"{other}\"")))
     },
     schema: || json!({ "type": "string" }),

@@ -74,5 +74,5 @@ pub use source::{
 };
 pub use step::{
     AxisWords, BlockReason, CannedCycle, CannedKind, CycleAbilities, DiscardSteps, FeedWord, FineBoreAbility, MAX_AXES,
-    Provenance, ReachedPosition, Sink, Step, ToolRoutine, VECTOR_DECIMALS,
+    Provenance, ReachedPosition, Sink, Step, ToolRoutine, UnusedCycles, VECTOR_DECIMALS,
 };

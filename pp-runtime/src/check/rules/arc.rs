@@ -2,6 +2,8 @@
 //! words: what these do along a circle, those do along an ellipse. The deviation is measured at points, unless the bound of
 //! one arc about another decides ([`ArcPath::farthest`]).
 
+use std::f64::consts::PI;
+
 use super::super::geometry::{ArcPath, RoundTip, Segment};
 use super::super::read::{Action, ArcMove, MAX_AXES, State};
 use super::fit::{BlockPath, Deviation, DeviationBound, off_arc};
@@ -84,6 +86,24 @@ impl RoundTip {
 }
 
 impl Rules<'_> {
+    /// Largest speeds of the axes along an arc, times its time, mm and rad: with `p` and `q` the shifts of an axis from the centre to
+    /// the start and to a quarter turn after it, its speed is `q cos a - p sin a` and its share of the rise.
+    pub(super) fn fastest_on_arc(&self, arc: &ArcWords, state: &State) -> Option<[f64; MAX_AXES]> {
+        let ArcWords { middle, start, quarter, end, sweep } = arc;
+        let axes = |words: &[f64; MAX_AXES]| self.words.axes(words, state);
+        let (middle, start, quarter, end) = (axes(middle)?, axes(start)?, axes(quarter)?, axes(end)?);
+        Some(std::array::from_fn(|index| {
+            let (p, q) = (start[index] - middle[index], quarter[index] - middle[index]);
+            let rise = end[index] - start[index];
+            let speed = |angle: f64| (sweep * (q * angle.cos() - p * angle.sin()) + rise).abs();
+            // Where the tangent is along the axis: half turns apart, both ways from the start.
+            let first = (-p).atan2(q);
+            let turns = (-4..=4).map(|half| first + f64::from(half) * PI);
+            let within = turns.filter(|angle| angle * sweep.signum() > 0.0 && angle.abs() < sweep.abs());
+            within.chain([0.0, *sweep]).map(speed).fold(0.0, f64::max)
+        }))
+    }
+
     /// [`deviation`](Self::deviation) of a block whose rotary axes rest, if it goes along an arc.
     pub(super) fn arc_deviation(
         &self,

@@ -380,11 +380,17 @@ impl<'a> Rules<'a> {
         state.vector.is_none() && self.law.is_plainly_right(stroke, state, [least_mm, most_mm])
     }
 
-    /// Largest speeds of the axes in a block under tip control that rotates, times its time, by the axis values at many places
-    /// of the block; `None` where the axes move evenly, or the control slows down for them.
+    /// Largest speeds of the axes in a block along an arc, or under tip control that rotates, by the axis values at many places of
+    /// the block, times its time; `None` where the axes move evenly, or the control slows down for them.
     fn uneven(&self, before: &[f64; MAX_AXES], block: &Block) -> Option<Box<[f64; MAX_AXES]>> {
+        if !self.law.needs_axes() {
+            return None;
+        }
+        if let Some(arc) = self.path(*before, block).arc() {
+            return self.fastest_on_arc(&arc, &block.state).map(Box::new);
+        }
         let follows = block.state.tip_control != TipControl::Off && block.state.vector.is_none();
-        if !follows || self.facts.tip_control_holds_axis_speeds || !self.law.needs_axes() {
+        if !follows || self.facts.tip_control_holds_axis_speeds {
             return None;
         }
         let rotation: f64 = self.words.rotary().map(|index| (block.values[index] - before[index]).abs()).sum();

@@ -314,7 +314,10 @@ static SPELLINGS: Spellings = Spellings {
     shortest_note: "",
     rotary_note: "M127 is in force, so the axes do not take the shortest path",
     examples: &[
-        ("control.safety", r#"["M129", "PLANE RESET STAY", "M127"]"#),
+        (
+            "control.safety",
+            r#"["M129", "PLANE RESET STAY", "M127", "CYCL DEF 247 DATUM SETTING ~", "Q339=+{work_offset} ;DATUM NUMBER"]"#,
+        ),
         ("control.tool_change", r#"["TOOL CALL {tool} Z S{speed} DR{radius_delta}", "TOOL DEF {next}"]"#),
         ("control.coolant", r#"{ through = ["M50", "M51"] }"#),
         ("retract.method", r#""M140""#),

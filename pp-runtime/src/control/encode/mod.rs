@@ -255,6 +255,10 @@ impl<'a> Encoder<'a> {
                 let program = &self.program;
                 out.configured_blocks(if at_end { &program.operation_end } else { &program.operation_start })
             }
+            Step::Probe { blocks } => {
+                out.stop_smoothing()?;
+                blocks.iter().try_for_each(|block| out.raw(block.as_bytes()))
+            }
             Step::Raw { text } => out.raw(text),
         }
     }

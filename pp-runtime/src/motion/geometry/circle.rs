@@ -9,6 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::kinematics::math::{self, larger};
 use crate::motion::tolerances::{LEAST_RADIUS_SWEEP, MOST_RADIUS_SWEEP, SAME_SWEEP};
+use crate::nalgebra::Vector3;
 use crate::nc::whole_units;
 
 /// Steps from a point of the grid to those around it.
@@ -73,6 +74,42 @@ impl Circle {
         let from_centre = |point: [i64; 2], axis: usize| (point[axis] - self.centre[axis]) as f64;
         let [x, y] = [0, 1].map(|axis| from_centre(self.start, axis) + offset[axis]);
         [x * cosine - y * sine - from_centre(end, 0), x * sine + y * cosine - from_centre(end, 1)]
+    }
+
+    /// Largest speed along a direction of X, Y and Z, or against it, times the time of the arc, in units, as the words state the arc.
+    /// `offset`: distance of its start from the start of its words; `end`: end of its words.
+    ///
+    /// With `a` and `b` the shares of the start and of the point a quarter turn after it, seen from the centre, it is
+    /// `b cos t - a sin t` per radian, which is largest where `tan t = -a/b`.
+    pub(crate) fn fastest_along(&self, direction: &Vector3<f64>, offset: [f64; 2], end: [i64; 2]) -> f64 {
+        let (centre, sweep_rad) =
+            self.by_radius(end).unwrap_or((self.centre.map(|units| units as f64), self.sweep_rad));
+        let [x, y] = [0, 1].map(|axis| self.start[axis] as f64 + offset[axis] - centre[axis]);
+        let quarter = if self.clockwise { [y, -x] } else { [-y, x] };
+        let [first, second, perpendicular] = self.plane.axes().map(|axis| direction[axis]);
+        let (a, b) = (x * first + y * second, quarter[0] * first + quarter[1] * second);
+        let rise = self.rise as f64 * perpendicular;
+        let speed = |at: f64| {
+            let (sine, cosine) = math::sin_cos(at);
+            (sweep_rad * (b * cosine - a * sine) + rise).abs()
+        };
+        let largest = math::atan2(-a, b);
+        let inside = [largest, largest + PI].map(|at| at.rem_euclid(TAU)).into_iter().filter(|at| *at < sweep_rad);
+        inside.chain([0.0, sweep_rad]).map(speed).fold(0.0, larger)
+    }
+
+    /// Centre and angle of an arc that is written with R, as they follow from its ends.
+    fn by_radius(&self, end: [i64; 2]) -> Option<([f64; 2], f64)> {
+        let radius = self.radius? as f64;
+        let half = [0, 1].map(|axis| 0.5 * (end[axis] - self.start[axis]) as f64);
+        let half_chord = math::hypot(half[0], half[1]);
+        // The centre is on the left of an arc that goes counter-clockwise by less than half a turn.
+        let left = if self.clockwise == (radius < 0.0) { 1.0 } else { -1.0 };
+        let off = left * math::sqrt((radius * radius - half_chord * half_chord).max(0.0)) / half_chord;
+        let middle = [0, 1].map(|axis| self.start[axis] as f64 + half[axis]);
+        let least = 2.0 * math::asin((half_chord / radius.abs()).min(1.0));
+        let sweep_rad = if radius < 0.0 { TAU - least } else { least };
+        Some(([middle[0] - off * half[1], middle[1] + off * half[0]], sweep_rad))
     }
 }
 

@@ -593,15 +593,15 @@ impl Placer {
         units.iter().zip(axes).any(|(units, axis)| units.abs() >= self.bounds[axis])
     }
 
-    /// Shortest time of the linear axes, min, for a tip path of `length_mm` in any direction at constant rotary angles;
-    /// 0 if their speeds need not be kept.
-    pub(crate) fn least_minutes_of_tip(&self, length_mm: f64, at: &AxisPosition) -> f64 {
+    /// Shortest time of the linear axes, min, for a tip path at constant rotary angles; 0 if their speeds need not be kept. `along`:
+    /// largest speed of the tip along a direction or against it, times the time, mm.
+    pub(crate) fn least_minutes_of_tip(&self, at: &AxisPosition, along: impl Fn(Vector3<f64>) -> f64) -> f64 {
         if !self.speeds.timed {
             return 0.0;
         }
         let Some((solved, map)) = self.axis_map(at) else { return 0.0 };
         let minutes = |(row, axis): (usize, usize)| {
-            self.speeds.per_axis[axis].map_or(0.0, |speed| length_mm * map.row(row).norm() / speed)
+            self.speeds.per_axis[axis].map_or(0.0, |speed| along(map.row(row).transpose()) / speed)
         };
         solved.into_iter().enumerate().map(minutes).fold(0.0, f64::max)
     }

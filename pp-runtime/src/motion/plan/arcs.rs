@@ -374,20 +374,32 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             let (share, to) = (cuts.share(number), self.piece_end(cuts.end(number))?);
             let piece = self.piece(in_program, share, (self.planner.mover.here(), drift), &to);
             let piece = piece.ok_or_else(cannot_be_written)?;
-            self.write_piece(&piece.circle, &to, share, (rate, mask))?;
+            self.write_piece(&piece.circle, &to, (share, drift), (rate, mask))?;
             self.planner.mover.position_mut().go_to(&to);
             drift = piece.drift;
         }
-        self.write_piece(&last.circle, end, cuts.share(cuts.pieces), (rate, mask))?;
+        self.write_piece(&last.circle, end, (cuts.share(cuts.pieces), drift), (rate, mask))?;
         self.planner.arc_end = Some((self.planner.mover.placer().written(end), last.drift));
         Ok(())
     }
 
-    /// Writes a piece, `share` of the arc, at `rate` mm/min with the words of the axes in `mask`.
-    fn write_piece(&mut self, circle: &Circle, to: &AxisPosition, share: f64, (rate, mask): (f64, u16)) -> Planned {
+    /// Writes a piece, `share` of the arc, at `rate` mm/min with the words of the axes in `mask`. `drift`: distance of its start
+    /// from the start of its words, in units.
+    fn write_piece(
+        &mut self,
+        circle: &Circle,
+        to: &AxisPosition,
+        (share, drift): (f64, [f64; 2]),
+        (rate, mask): (f64, u16),
+    ) -> Planned {
         let length = self.round.length() * share;
         let mover = &mut self.planner.mover;
-        let axis_time_min = mover.placer().least_minutes_of_tip(length, mover.here());
+        let placer = mover.placer();
+        let (_, map) = placer.orthogonal_map(to).ok_or_else(cannot_be_written)?;
+        let (words, [first, second, _]) = (placer.written(to), circle.plane.axes());
+        let end = [words[circle.chain[first]], words[circle.chain[second]]];
+        let along = |direction: Vector3<f64>| placer.unit_mm() * circle.fastest_along(&(map * direction), drift, end);
+        let axis_time_min = placer.least_minutes_of_tip(mover.here(), along);
         let pace = mover.feeds().pace(rate, FeedMotion::linear(length, axis_time_min))?;
         let FeedWord::PerMinute(feed) = pace.feed else { return Err(cannot_be_written().into()) };
         mover.output_mut().feed(&pace, None);

@@ -18,7 +18,7 @@ use crate::motion::plan::{MotionAndNext, Planner, records};
 use crate::motion::source::{Begins, MotionIndex, Next};
 use crate::motion::step::BlockReason;
 use crate::motion::step::{AxisWords, FeedWord, Sink, Step};
-use crate::motion::step::{CannedCycle, CannedKind};
+use crate::motion::step::{CannedCycle, CannedKind, UnusedCycles};
 use crate::motion::tolerances::{
     LEAN_BY_ROUNDING, MOST_HOLE_STEPS, NO_ORIENT_ANGLE_DEG, NO_PITCH_ERROR, PITCH_ERROR, SAME_BORE_SHIFT, SAME_LEVEL,
 };
@@ -46,6 +46,8 @@ enum NoCycle {
     NoTappingCycle,
     NoTappingDwell,
     NoBoringCycle,
+    /// The control has one, and it is not used.
+    Unused(UnusedCycles),
     /// The direction off the wall of a bore is that of a machine axis.
     NotMachineAxes,
     /// The control has no cycle with these steps.
@@ -70,6 +72,12 @@ impl NoCycle {
             Self::NoTappingCycle => "this control has no tapping cycle here".to_owned(),
             Self::NoTappingDwell => "the tapping cycle of this control has no dwell at the bottom".to_owned(),
             Self::NoBoringCycle => "this control has no such cycle".to_owned(),
+            Self::Unused(UnusedCycles::OtherSpindle) => {
+                "it runs the master spindle, and `control.mill_turn` gives the tool another one".to_owned()
+            }
+            Self::Unused(UnusedCycles::AxisNames) => {
+                "its words are X, Y and Z, and `control.axes` gives one of them another name".to_owned()
+            }
             Self::NotMachineAxes => {
                 "the direction off the wall is that of a machine axis: it needs `mode = \"axes\"` for all of its operation"
                     .to_owned()
@@ -95,6 +103,10 @@ impl NoCycle {
             Self::NoBoringCycle => {
                 "to retract at feed, write BORE without ORIENT and its angle; else program it at the control"
             }
+            Self::Unused(UnusedCycles::OtherSpindle) => {
+                "where the tool is in the master spindle set `spindle = \"master\"`; else program it at the control"
+            }
+            Self::Unused(UnusedCycles::AxisNames) => "rename no linear axis; else program it at the control",
             Self::NotMachineAxes => "post the operation with `mode = \"axes\"`",
             Self::LongDwell | Self::NoTappingDwell => "remove the dwell from the CYCLE in CAM",
             Self::NoTappingCycle | Self::OtherSteps | Self::GapOfControl => {
@@ -410,7 +422,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             {
                 Ok(CannedKind::ChipBreak { step: units(step), gap: units(back.unwrap_or(usual_gap)) })
             }
-            Drilling::Tap { .. } if !can.tap => Err(NoCycle::NoTappingCycle),
+            Drilling::Tap { .. } if !can.tap => Err(can.unused.map_or(NoCycle::NoTappingCycle, NoCycle::Unused)),
             Drilling::Tap { .. } if !no_dwell && !can.tap_dwell => Err(NoCycle::NoTappingDwell),
             Drilling::Tap { .. } => Ok(self.thread()?),
             Drilling::FineBore { orient_rad } => self.fine_bore(orient_rad)?,
@@ -426,7 +438,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     fn fine_bore(&self, orient_rad: f64) -> Result<Result<CannedKind, NoCycle>, Fault> {
         let options = &self.planner.policy.options.cycles;
         let Some(can) = self.planner.abilities.cycles.fine_bore else {
-            return Ok(Err(NoCycle::NoBoringCycle));
+            let unused = self.planner.abilities.cycles.unused;
+            return Ok(Err(unused.map_or(NoCycle::NoBoringCycle, NoCycle::Unused)));
         };
         if self.planner.mover.placer().mode() != StretchMode::Axes {
             return Ok(Err(NoCycle::NotMachineAxes));
@@ -505,7 +518,9 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             }
         };
         let length = hole.clearance_mm + hole.depth_mm;
-        let axis_time_min = self.planner.mover.placer().least_minutes_of_tip(length, over);
+        let axis = hole.top.axis.into_inner();
+        let along = |direction: Vector3<f64>| length * axis.dot(&direction).abs();
+        let axis_time_min = self.planner.mover.placer().least_minutes_of_tip(over, along);
         let motion = FeedMotion::linear(length, axis_time_min);
         let pace = feeds.pace(per_minute, motion)?;
         let FeedWord::PerMinute(word) = pace.feed else {

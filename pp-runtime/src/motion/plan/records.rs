@@ -440,9 +440,7 @@ impl<S: Sink> Records<'_, '_, S> {
             return fault("the coolant is on where a probe measures", "give COOLNT/OFF before the motion to its point");
         }
         planner.mover.output_mut().cancel_inverse_time()?;
-        for block in blocks {
-            planner.mover.output_mut().step(&Step::Raw { text: block.as_bytes() })?;
-        }
+        planner.mover.output_mut().step(&Step::Probe { blocks })?;
         planner.spindle.reset();
         planner.coolant.forget();
         planner.mover.position_mut().forget();

@@ -38,6 +38,17 @@ pub struct CycleAbilities {
     pub tap_per_revolution: bool,
     /// Boring with an oriented spindle, if the control has it.
     pub fine_bore: Option<FineBoreAbility>,
+    /// Why cycles that the control has are not used.
+    pub unused: Option<UnusedCycles>,
+}
+
+/// Why cycles of a control are not used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum UnusedCycles {
+    /// They run the master spindle, and the tool is in another one: threads and bores.
+    OtherSpindle,
+    /// Their words are X, Y and Z, and one of these axes has another name.
+    AxisNames,
 }
 
 /// Boring with an oriented spindle.
@@ -70,6 +81,7 @@ impl CycleAbilities {
         tap_uses_feed: false,
         tap_per_revolution: false,
         fine_bore: None,
+        unused: None,
     };
 }
 

@@ -12,7 +12,7 @@ use crate::motion::geometry::Circle;
 use crate::motion::options::Smoothing;
 
 pub use crate::kinematics::MAX_AXES;
-pub use cycle::{CannedCycle, CannedKind, CycleAbilities, FineBoreAbility};
+pub use cycle::{CannedCycle, CannedKind, CycleAbilities, FineBoreAbility, UnusedCycles};
 pub use provenance::{BlockReason, Provenance, ReachedPosition};
 
 /// Decimals of the components of a tool axis, as in CL data.
@@ -276,6 +276,12 @@ pub enum Step<'a> {
         /// At its end.
         at_end: bool,
     },
+    /// Blocks with which a probe measures, written unchanged; smoothing is off before them, and the state of the machine unknown
+    /// after them.
+    Probe {
+        /// The blocks.
+        blocks: &'a [String],
+    },
     /// Block written unchanged; after it the state of the machine is unknown.
     Raw {
         /// Text of the block.
@@ -324,6 +330,7 @@ impl Step<'_> {
             Self::Smoothing { .. } => "smoothing",
             Self::OperationBlocks { at_end: false } => "operation-start",
             Self::OperationBlocks { at_end: true } => "operation-end",
+            Self::Probe { .. } => "probe",
             Self::Raw { .. } => "insert",
         }
     }

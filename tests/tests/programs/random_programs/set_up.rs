@@ -349,7 +349,7 @@ impl File<'_> {
             self.maybe(0.15, "clamp", format!("{letter} = {codes}"));
             self.maybe(0.3, "speeds", format!("{letter} = 3600.0"));
         }
-        self.maybe(0.3, "speeds", "X = 10000.0\nY = 10000.0\nZ = 8000.0");
+        self.maybe(0.3, "speeds", "X = 10000.0\nY = 900.0\nZ = 8000.0");
     }
 
     /// Formats of words, and codes of the control.
