@@ -77,6 +77,7 @@ impl Config {
         ReadingOptions {
             units: cl_units.or(self.cl_units),
             tools: tools.collect(),
+            default_tool: self.motion.defaults.tool,
             compensates_centre: self.motion.compensation.map(|path| path == CutterPath::Centre),
             ..self.cl.clone()
         }

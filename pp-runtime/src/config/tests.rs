@@ -435,7 +435,10 @@ fn dimensions_and_part_origin_reach_the_machine() {
 
 #[test]
 fn an_axis_cannot_be_parked_outside_its_travel() {
-    assert_eq!(faults("[park]\nB = 111\n"), ["2:5: B cannot be there: its travel is -5.0000 to 110.0000 degrees"]);
+    assert_eq!(
+        faults("[park]\nB = 111\n"),
+        ["2:5: B cannot be there: its travel (`limits.B`) is -5.0000 to 110.0000 degrees"]
+    );
     read("park = { B = 110 }\n");
     read("park = { B = 111 }\nlimits = { B = [-5, 120] }\n");
 }

@@ -20,6 +20,7 @@
 //! Words of lengths have decimals of their own in inches. 1/min of inverse time, seconds, degrees and rev/min have no unit of length:
 //! their digits are the same in both.
 
+use super::number::MOST_SIGNIFICANT;
 use crate::keys::{Whole, options};
 use crate::program::Units;
 
@@ -41,7 +42,7 @@ options! {
         /// Decimals of the pitch of a thread in inches.
         pitch_inch: u32 = 6, key("formats.pitch_inch", Whole(0..=6));
         /// Significant digits of F in inverse-time feed, whose unit is 1/min in any unit of length.
-        inverse_time: u32 = 6, key("formats.inverse_time", Whole(6..=12));
+        inverse_time: u32 = 6, key("formats.inverse_time", Whole(6..=MOST_SIGNIFICANT));
         /// Decimals of S.
         speed: u32 = 0, key("formats.speed", Whole(0..=3));
         /// Largest number of digits of linear words before the point; a number with more is refused.

@@ -6,8 +6,11 @@ use crate::kinematics::math::rounded;
 /// Largest number of whole units of a word: all integers up to here are exact in an `f64`.
 const LARGEST: f64 = 9_007_199_254_740_992.0;
 
-/// Smallest value that [`Decimal::significant`] writes: 18 decimals for six digits.
+/// Smallest value that [`Decimal::significant`] writes.
 const SMALLEST_SIGNIFICANT: f64 = 1e-12;
+
+/// Largest number of its digits: powers of ten are exact for the 22 decimals of the smallest value.
+pub(crate) const MOST_SIGNIFICANT: u32 = 10;
 
 /// A number that no word can hold: not finite, or beyond 2^53 units of its last decimal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,7 +76,7 @@ impl Decimal {
         if value < SMALLEST_SIGNIFICANT {
             return Ok(Self::default());
         }
-        let digits = digits.clamp(1, 6);
+        let digits = digits.clamp(1, MOST_SIGNIFICANT);
         let (lower, upper) = (power_of_ten(digits - 1), power_of_ten(digits));
         // Digits are counted from the first one that is not zero. A number with more digits before the point has no
         // decimals.
@@ -389,6 +392,9 @@ mod tests {
         assert_eq!(six(12_345_678.0), "12345700");
         assert_eq!(six(60.0), "60");
         assert_eq!(six(1e-13), "0");
+        let ten = |value| text(Decimal::significant(value, 10).expect("fits"));
+        assert_eq!((ten(1.0 / 3.0), ten(1234.567_890_123)), ("0.3333333333".to_owned(), "1234.56789".to_owned()));
+        assert_eq!((ten(1e-12), ten(12_345_678_901.0)), ("0.000000000001".to_owned(), "12345678900".to_owned()));
     }
 
     const NUMERALS: [Numerals; 4] = [

@@ -16,7 +16,7 @@ use super::super::read::{Action, Block, MAX_AXES, Side};
 use super::super::rules::{Deviation, DeviationBound, LinkForm, ModalContext, StateFault, Stroke};
 use super::hole::lean_of_words;
 use super::obligations::{Duty, DutyEvent, DutyPlace};
-use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidSteps, RetractedLength, RewindPoint};
+use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidStart, RapidSteps, RetractedLength, RewindPoint};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
 use super::{Comparison, Current, Previous, retract};
 use crate::check::tolerances::{BOTH, COMES_BACK};
@@ -357,17 +357,20 @@ impl Comparison<'_> {
     #[inline(never)]
     fn rapid_rules(&mut self, cutting: &mut Cutting, current: &Current<'_>, part: &Part) -> RapidRules {
         let begun = cutting.rapid_from.take();
+        // The corner of a rapid in two blocks is on neither half of its line.
+        let is_corner = part.share <= 0.0 && self.rules.policy().links.rapid == RapidForm::TwoBlocks;
         let rapid = RapidPart {
-            begun: begun.is_some(),
-            ends: part.share >= 1.0,
+            begun: begun.as_ref().is_some_and(|begun| !begun.is_corner),
+            ends: part.share >= 1.0 || is_corner,
             // The motion down from the approach point is a rapid if it is one in the CL data.
             approaches: part.starts || self.progress.is_approached(),
             in_thread: self.is_in_thread(),
         };
         let start = cutting.steps.as_ref().map_or(&self.previous.words, |steps| &steps.start);
-        let from = begun.unwrap_or_else(|| Box::new(*start));
-        let rules = RapidRules::of(&self.rules, (&from, self.previous.known), current.block, rapid);
-        if !rapid.ends {
+        let mut from = begun.unwrap_or_else(|| Box::new(RapidStart { words: *start, is_corner }));
+        let rules = RapidRules::of(&self.rules, (&from.words, self.previous.known), current.block, rapid);
+        if part.share < 1.0 {
+            from.is_corner = is_corner;
             cutting.rapid_from = Some(from);
         }
         if rules.lacks_retract {
@@ -614,7 +617,7 @@ impl Comparison<'_> {
             let state = self.rules.fault_at_path(block, required, self.modal_context());
             let feed = state.is_none() && self.rules.is_known(block, known);
             let stroke = || self.rules.stroke(&before, block, (back.length(), f64::INFINITY), *programmed, required);
-            let feed = if feed { self.rules.law().wrong(&stroke(), &block.state) } else { None };
+            let feed = if feed { self.rules.feed_fault(&stroke(), &block.state, &back, [0.0, 1.0]) } else { None };
             state.or(feed.map(StateFault::from))
         };
         let faults: Vec<Option<StateFault>> = next.iter().chain(&finished).map(fault).collect();

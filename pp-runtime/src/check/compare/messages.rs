@@ -31,24 +31,12 @@ impl Comparison<'_> {
     ) -> io::Result<()> {
         let line = current.shown.text.trim_ascii();
         let guarded = std::mem::replace(&mut self.previous.guards, line.starts_with(b"IF "));
-        let policy = self.rules.policy();
-        let is_tool = |called: &[u8]| {
-            // In a tool change it is the tool that comes.
-            let tools = [current.block.state.tool, self.tool_of_next_motion().flatten()];
-            tools.into_iter().flatten().any(|number| {
-                let name = policy.set_up.tools.get(&number).and_then(|tool| tool.name.as_deref());
-                let names = name.map(|name| [format!("\"{name}\""), format!("=\"{name}\"")]);
-                called == number.to_string().as_bytes()
-                    || names.into_iter().flatten().any(|name| called == name.as_bytes())
-            })
-        };
-        let of_shop = |line: &[u8]| policy.shop.lines.iter().any(|own| is_filled(&own.text, line, is_tool));
-        if let Some(text) = displayed(line, marks).filter(|_| !guarded && !of_shop(line)) {
+        if let Some(text) = displayed(line, marks).filter(|_| !guarded) {
             let text = legible(text);
-            // Before its record there may be motions that need no block.
+            // Before its record there may be motions that need no block. A line of the shop with a field may have the form of a text.
             if !self.progress.displays(&text) && {
                 self.pass_needless(phase)?;
-                !self.progress.displays(&text)
+                !self.progress.displays(&text) && !self.is_of_shop(line, current)
             } {
                 self.found(current, "this text is not the next one of PPRINT, or of an operation, in the CL data");
             }
@@ -60,5 +48,21 @@ impl Comparison<'_> {
             self.tally.found(message.at, current.shown, &text);
         }
         Ok(())
+    }
+
+    /// Whether a line is one of the shop.
+    fn is_of_shop(&self, line: &[u8], current: &Current<'_>) -> bool {
+        let policy = self.rules.policy();
+        let is_tool = |called: &[u8]| {
+            // In a tool change it is the tool that comes.
+            let tools = [current.block.state.tool, self.tool_of_next_motion().flatten()];
+            tools.into_iter().flatten().any(|number| {
+                let name = policy.set_up.tools.get(&number).and_then(|tool| tool.name.as_deref());
+                let names = name.map(|name| [format!("\"{name}\""), format!("=\"{name}\"")]);
+                called == number.to_string().as_bytes()
+                    || names.into_iter().flatten().any(|name| called == name.as_bytes())
+            })
+        };
+        policy.shop.lines.iter().any(|own| is_filled(&own.text, line, is_tool))
     }
 }

@@ -39,8 +39,8 @@ pub(super) struct Cutting {
     pub(crate) back: Option<Box<Segment>>,
     /// The coolant was on in the retract to it.
     pub(crate) wet_retract: bool,
-    /// Words before the rapid of which the last block was a part.
-    pub(crate) rapid_from: Option<Box<[f64; MAX_AXES]>>,
+    /// The rapid of which the last block was a part.
+    pub(super) rapid_from: Option<Box<RapidStart>>,
     /// The rapid of which the last block was a step.
     pub(crate) steps: Option<Box<RapidSteps>>,
     /// The motion that the last block has ended.
@@ -108,6 +108,15 @@ pub(super) struct RetractedLength {
     /// Where it ends, if there is one.
     end: Option<Vector3<f64>>,
     out_mm: f64,
+}
+
+/// Where a rapid in several blocks has begun.
+#[derive(Debug, Clone)]
+pub(super) struct RapidStart {
+    /// The words before it.
+    pub(super) words: [f64; MAX_AXES],
+    /// The last block has led to the corner between its two halves.
+    pub(super) is_corner: bool,
 }
 
 /// A rapid in steps: words before the first and after the last step.

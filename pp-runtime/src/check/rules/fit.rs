@@ -355,9 +355,13 @@ impl Rules<'_> {
         let largest = (1.0 + drift(arrival.chords)) * self.rounding.tip_mm;
         let is_corner = |from: Vector3<f64>| {
             let step = segment.to.tip - from;
-            let along = segment.to.axis * step.dot(&segment.to.axis);
-            let corner = if step.dot(&segment.to.axis) > 0.0 { from + along } else { segment.to.tip - along };
-            (end.tip - corner).norm() <= largest
+            // Out along the tool axis as it is, in along that at the end.
+            let along = |axis: Vector3<f64>| axis * step.dot(&axis);
+            let (corner, axis) = match step.dot(&segment.to.axis) > 0.0 {
+                true => (from + along(here.axis), here.axis),
+                false => (segment.to.tip - along(segment.to.axis), segment.to.axis),
+            };
+            (end.tip - corner).norm() <= largest && self.is_axis_near(&end.axis, &axis, BOTH)
         };
         // A cycle that leans with its words returns beside the axis of its hole.
         (is_corner(here.tip) || is_corner(segment.from.tip)).then_some(0.0)

@@ -95,6 +95,8 @@ options! {
         cl_point: ClPoint = ClPoint::Tip, key("cl_point", OneOf(&ClPoint::NAMES));
         /// The same by tool number, where it differs.
         cl_point_of: BTreeMap<u32, ClPoint> = BTreeMap::new();
+        /// Tool that cuts before the first tool call.
+        default_tool: Option<u32> = None;
         /// Whether a path with CUTCOM is that of the centre of the tool, where the configuration states it.
         compensates_centre: Option<bool> = None;
         /// What the configuration states about tools, by tool number.

@@ -130,7 +130,12 @@ pub(crate) const PARK: PerAxis<f64> = PerAxis {
             && !(limits.lower - CONVERTED_NOISE..=limits.upper + CONVERTED_NOISE).contains(&position)
         {
             let travel = show_limits(axis, limits, r.units());
-            r.fault(value.span(), format!("{} cannot be there: its travel is {travel}", axis.letter), None);
+            let letter = axis.letter;
+            r.fault(
+                value.span(),
+                format!("{letter} cannot be there: its travel (`limits.{letter}`) is {travel}"),
+                None,
+            );
         }
         Some(position)
     },

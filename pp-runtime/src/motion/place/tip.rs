@@ -7,6 +7,7 @@ use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 
 use crate::kinematics::{AxisValues, Rotary};
 use crate::nc::whole_units;
+use crate::program::Shown;
 
 use super::frame::{WordMap, no_plane};
 use super::refusal;
@@ -207,11 +208,12 @@ impl Placer {
             return Ok(axis);
         }
         let off = angle_between(&self.machine.forward_kinematics(&place.axes).axis, &axis);
-        if off <= 2.0 * self.rotary.scale.angle(1) {
+        // A step may be two units off, and the word of another axis is rounded.
+        if off <= 4.0 * self.rotary.scale.angle(1) {
             return Ok(axis);
         }
-        let degrees = off.to_degrees();
-        let text = format_args!("the steps of the indexed axes are {degrees:.4}° off the tool axis of this plane");
+        let degrees = Shown(off.to_degrees());
+        let text = format_args!("the steps of the indexed axes are {degrees}° off the tool axis of this plane");
         Err(Fault::new(text).help("move the tool axis of the operation to a step in CAM"))
     }
 

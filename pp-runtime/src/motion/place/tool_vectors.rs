@@ -129,6 +129,6 @@ impl Placer {
             "{letter} has to rotate by {:.3}° here while the tool axis stays, which tool vectors cannot express",
             turn.to_degrees()
         ))
-        .help("set `tcp_words = \"angles\"`")
+        .help("set `tcp_words = \"angles\"`; for a rewind `retract.rewind = \"leave\"` is enough")
     }
 }

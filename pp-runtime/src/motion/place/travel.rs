@@ -153,7 +153,7 @@ impl TravelCheck {
                 axis.units.coordinate(limits.lower).number(),
                 axis.units.coordinate(limits.upper)
             ))
-            .help("correct `retract.position` or the limits in the configuration")),
+            .help("correct `[limits]`, or the position: `retract.position`, for the other axes of `home_on_indexing` `retract.xy`")),
             _ => Ok(()),
         }
     }

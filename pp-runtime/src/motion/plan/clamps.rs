@@ -59,11 +59,12 @@ impl Clamps {
         }
     }
 
-    /// Notes the axes that a block of an operation moves.
+    /// Notes the axes that a block of an operation moves. `rotates`: the control chooses the rotary angles, and the tool axis
+    /// changes, so that any rotary axis may move.
     #[inline(always)]
-    pub(crate) fn note(&mut self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) {
+    pub(crate) fn note(&mut self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], rotates: bool) {
         if let Some(seen) = self.seen.0.last_mut() {
-            for clamp in self.clamps.iter().filter(|clamp| from[clamp.index] != to[clamp.index]) {
+            for clamp in self.clamps.iter().filter(|clamp| rotates || from[clamp.index] != to[clamp.index]) {
                 *seen |= 1 << clamp.index;
             }
         }

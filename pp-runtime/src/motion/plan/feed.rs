@@ -119,7 +119,7 @@ impl Feeds {
             shortest_block_min: policy.options.feed.shortest_block_s / 60.0,
             largest_mm_per_min: policy.options.feed.largest_mm_per_min.unwrap_or(f64::INFINITY),
             largest_inverse_time,
-            largest_before_rounding: largest_inverse_time * (1.0 - 10_f64.powi(1 - digits.min(6))),
+            largest_before_rounding: largest_inverse_time * (1.0 - 10_f64.powi(1 - digits)),
         };
         feeds.set_mode(policy.options.mode_of_all().unwrap_or_default());
         feeds
@@ -248,7 +248,7 @@ impl Feeds {
 
     /// Largest F of inverse-time feed, rounded down to its digits.
     fn largest_word(&self) -> Result<Decimal, Fault> {
-        let digits = self.inverse_time_digits.min(6);
+        let digits = self.inverse_time_digits;
         let whole = math::log10(self.largest_inverse_time).floor() as i32 + 1;
         let decimals = (digits as i32 - whole).max(0) as u32;
         let nearest = Decimal::fixed(self.largest_inverse_time, decimals);

@@ -393,9 +393,7 @@ impl<S: Sink> Planner<'_, S> {
         }
         let before = self.mover.position().pose();
         if first.rapid {
-            self.mover.output_mut().cancel_inverse_time()?;
-            self.mover.note_rotation(&place);
-            self.mover.rapid(&place, self.mover.block_axes())?;
+            self.mover.rapid_as_configured(first, &place)?;
         } else {
             self.mover.feed_to(&place, self.rate(first.feed)?)?;
             self.mover.position_mut().note_cut(&first.pose);

@@ -68,17 +68,19 @@ impl RecordInterpreter {
     /// The same, as it is set for the present tool.
     fn tip_of_tool(&self, pose: Pose, at: Span) -> Result<Pose, ClFault> {
         let tool = self.tool.current();
-        let number = tool.map(|tool| tool.number);
+        let number = tool.map(|tool| tool.number).or(self.options.default_tool);
         let given = number.and_then(|number| self.options.cl_point_of.get(&number)).copied();
         if given.unwrap_or(self.options.cl_point) == ClPoint::Tip {
             return Ok(pose);
         }
-        let Some(radius) = tool.and_then(|tool| tool.corner_radius_mm) else {
+        let of_entry = || self.options.tools.get(&number?)?.corner_radius_mm;
+        let Some(radius) = tool.and_then(|tool| tool.corner_radius_mm).or_else(of_entry) else {
+            let entry = number.map_or_else(|| "N".to_owned(), |number| number.to_string());
             return Err(ClFault::new(
                 "cl_point",
                 at,
                 "the CL data programs the centre of the corner radius, and the radius of this tool is unknown",
-                "program CUTTER or TLDATA before the tool call",
+                format!("program CUTTER or TLDATA before the tool call, or give `[tools.{entry}] corner_radius`"),
             ));
         };
         Ok(Pose { tip: pose.tip - pose.axis.into_inner() * radius, axis: pose.axis })

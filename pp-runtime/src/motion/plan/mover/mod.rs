@@ -270,7 +270,8 @@ impl<'a, S: Sink> Mover<'a, S> {
     /// Notes which axes rotate in a block to a place: their clamps must be off.
     #[inline]
     pub(crate) fn note_rotation(&mut self, to: &AxisPosition) {
-        self.clamps.note(&self.position.place().words, &to.words);
+        let rotates = self.placer.writes_vectors() && self.rotates(to);
+        self.clamps.note(&self.position.place().words, &to.words, rotates);
     }
 
     /// Motion of the block to a place.
@@ -503,9 +504,10 @@ impl<'a, S: Sink> Mover<'a, S> {
     fn split_rapid(&mut self, motion: &Move, place: &AxisPosition) -> Planned {
         let here = *self.here();
         let step = motion.pose.tip - here.pose.tip;
-        let axis = motion.pose.axis.into_inner();
+        let out = step.dot(&motion.pose.axis) > 0.0;
+        // The tool that moves out has the axis that it has here.
+        let axis = if out { here.pose.axis } else { motion.pose.axis }.into_inner();
         let along = axis * step.dot(&axis);
-        let out = step.dot(&axis) > 0.0;
         if along.norm() <= self.placer.unit_mm() || (step - along).norm() <= self.placer.unit_mm() {
             return Ok(());
         }
