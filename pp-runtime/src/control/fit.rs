@@ -112,6 +112,18 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     if demands.motion.cycles.thread_feed == ThreadFeed::PerRevolution && codes.per_revolution.is_empty() {
         faults.push(format!("threads of {title} take their pitch in any case: leave `cycles.thread_feed` out"));
     }
+    let with_length = codes.tip.as_ref().and_then(|tip| tip.with_length).is_some();
+    if with_length && demands.options.tip_control_codes().is_some() {
+        faults.push(format!(
+            "{title} switches tip control on with the length of the tool, and a length called after another code would end it: leave \
+             `control.tip_control` out"
+        ));
+    }
+    if demands.options.tool_spindle().is_some() && codes.tool_change.iter().any(|block| block.contains("{speed}")) {
+        faults.push(format!(
+            "{title} takes the speed in the tool call, for the spindle of M3: set `spindle = \"master\"` in `control.mill_turn`"
+        ));
+    }
     if matches!(demands.options.tool_spindle(), Some(ToolSpindle::Number(_))) && control.family() != "siemens" {
         faults.push(format!("{title} calls no spindle by its number: give three codes in `control.mill_turn`"));
     }

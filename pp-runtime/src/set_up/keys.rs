@@ -215,7 +215,11 @@ impl BlankCorners {
             return None;
         };
         if corners {
-            r.fault(value.span(), "a blank is a box with corners, or a cylinder with a diameter, not both", None);
+            r.fault(
+                value.span(),
+                "a blank is a box (`lower`, `upper`) or a cylinder (`diameter`, `bottom`, `top`), not both",
+                None,
+            );
         }
         let diameter = r.length(diameter, Bound::Positive);
         let [bottom, top] = [bottom, top].map(|level| r.length(level, Bound::Any));

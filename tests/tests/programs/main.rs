@@ -29,6 +29,7 @@ mod new_folder;
 mod no_alloc;
 mod numbers;
 mod operations;
+mod options;
 mod own_control;
 mod plane_guards;
 mod random_programs;

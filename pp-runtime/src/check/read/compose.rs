@@ -231,7 +231,7 @@ impl Line<'_> {
             let (code, own) = (shown(self.at.between(column, end)), shown(&own.text));
             self.fault(
                 column,
-                format!("`{code}` switches another spindle than that of the tool, whose code is `{own}`"),
+                format!("`{code}` switches another spindle than that of the tool, whose code is `{own}` (`control.mill_turn`)"),
             );
         }
     }

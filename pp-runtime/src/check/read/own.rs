@@ -398,9 +398,13 @@ pub(super) fn resolve(text: &[u8], line: &mut Line<'_>, declared: Option<Declare
         line.excuse();
         let own = line.vocabulary().own_of(text).next();
         let key = shown(own.map_or(text, |own| own.text.as_slice()));
+        let from = places
+            .iter()
+            .find_map(|place| place.key())
+            .map_or_else(|| "configuration or control".to_owned(), |key| format!("`{key}`"));
         let others: Vec<String> = Effect::NAMES[1..].iter().map(|(name, _)| format!("\"{name}\"")).collect();
         let text = format!(
-            "`{}` is a line of configuration or control that the check cannot execute: {reason}; correct it, or declare its \
+            "`{}` is a line of {from} that the check cannot execute: {reason}; correct it, or declare its \
              effect in `[control] effects`: `{} = \"none\"`, or {} (a control in Rust: in `Control::effects`)",
             shown(text),
             as_toml_key(&key),

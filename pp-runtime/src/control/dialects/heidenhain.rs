@@ -319,6 +319,7 @@ static SPELLINGS: Spellings = Spellings {
             r#"["M129", "PLANE RESET STAY", "M127", "CYCL DEF 247 DATUM SETTING ~", "Q339=+{work_offset} ;DATUM NUMBER"]"#,
         ),
         ("control.tool_change", r#"["TOOL CALL {tool} Z S{speed} DR{radius_delta}", "TOOL DEF {next}"]"#),
+        ("control.mill_turn", r#"{ radius = "parameter", modes = ["M200"], spindle = "master" }"#),
         ("control.coolant", r#"{ through = ["M50", "M51"] }"#),
         ("retract.method", r#""M140""#),
         ("cycles.probe", r#"{ "PROBE/BORE,20" = ["CALL PGM TNC:\\PROBE\\BORE20.H"] }"#),
