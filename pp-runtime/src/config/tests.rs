@@ -296,7 +296,7 @@ fn numbers_outside_their_range_are_refused() {
     assert_eq!(faults("[speeds]\nX = 1e-300\n"), ["2:5: at least 0.000000001 is needed here"]);
     assert_eq!(faults("[speeds]\nX = 1e300\n"), ["2:5: at most 1000000000 is needed here"]);
     assert_eq!(faults("[approach]\ndistance = -1\n"), ["2:12: a number that is not negative is needed here"]);
-    assert_eq!(faults("[formats]\ninverse_time = 3\n"), ["2:16: a whole number from 6 to 12 is needed here"]);
+    assert_eq!(faults("[formats]\ninverse_time = 3\n"), ["2:16: a whole number from 6 to 8 is needed here"]);
     assert_eq!(faults("[tools.100000]\n").len(), 1);
     assert_eq!(faults("[tools.07]\n").len(), 1);
     assert_eq!(faults("[tools.7]\nlength = -3\n"), ["2:10: a number that is not negative is needed here"]);

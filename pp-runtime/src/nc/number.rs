@@ -9,8 +9,8 @@ const LARGEST: f64 = 9_007_199_254_740_992.0;
 /// Smallest value that [`Decimal::significant`] writes.
 const SMALLEST_SIGNIFICANT: f64 = 1e-12;
 
-/// Largest number of its digits: powers of ten are exact for the 22 decimals of the smallest value.
-pub(crate) const MOST_SIGNIFICANT: u32 = 10;
+/// Largest number of its digits: the 19 decimals of the smallest value are a power of ten in 64 bits.
+pub(crate) const MOST_SIGNIFICANT: u32 = 8;
 
 /// A number that no word can hold: not finite, or beyond 2^53 units of its last decimal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -392,9 +392,9 @@ mod tests {
         assert_eq!(six(12_345_678.0), "12345700");
         assert_eq!(six(60.0), "60");
         assert_eq!(six(1e-13), "0");
-        let ten = |value| text(Decimal::significant(value, 10).expect("fits"));
-        assert_eq!((ten(1.0 / 3.0), ten(1234.567_890_123)), ("0.3333333333".to_owned(), "1234.56789".to_owned()));
-        assert_eq!((ten(1e-12), ten(12_345_678_901.0)), ("0.000000000001".to_owned(), "12345678900".to_owned()));
+        let eight = |value| text(Decimal::significant(value, MOST_SIGNIFICANT).expect("fits"));
+        assert_eq!((eight(1.0 / 3.0), eight(1234.567_890_123)), ("0.33333333".to_owned(), "1234.5679".to_owned()));
+        assert_eq!((eight(1e-12), eight(1_234_567_890.0)), ("0.000000000001".to_owned(), "1234567900".to_owned()));
     }
 
     const NUMERALS: [Numerals; 4] = [

@@ -395,7 +395,7 @@ fn tip_control_by_codes_of_the_shop_is_off_at_each_restart_point_whatever_the_pr
     let data = cuts("COOLNT/ON");
     for (control, codes, off) in [
         ("linuxcnc", "\"M428\", \"M429\"", "M429"),
-        ("fanuc", "\"G43.4 H1\", \"M177\"", "M177"),
+        ("heidenhain", "\"M176\", \"M177\"", "M177"),
         ("siemens", "\"TRAORI(2)\", \"M177\"", "M177"),
     ] {
         let set_up = format!("control.tip_control = [{codes}]\n");

@@ -58,10 +58,10 @@ fn the_centre_of_the_corner_radius_lies_above_the_tip() {
     assert_eq!(found[3], "arc to 0 1 -5 about 0 0 1 through 90.000");
     assert!(errors_with("LOADTL/1\nGOTO/0,0,0\n", centre.clone())[0].contains("the radius of this tool is unknown"));
     let creo = "$$-> A\nLOADTL/1\nSPINDL/900,CLW\n$$-> CUTTER / 10,5\nGOTO/0,0,0\n";
-    assert_eq!(events_without_places(creo, centre)[2], "feed 0 0 -5 axis 0 0 1 None");
+    assert_eq!(events_without_places(creo, centre.clone())[2], "feed 0 0 -5 axis 0 0 1 None");
     // Of a tool whose corner radius the configuration gives, called or not.
     let given = StatedTool { corner_radius_mm: Some(2.0), ..StatedTool::default() };
-    let of_entry = ReadingOptions { tools: [(1, given)].into(), default_tool: Some(1), ..centre.clone() };
+    let of_entry = ReadingOptions { tools: [(1, given)].into(), default_tool: Some(1), ..centre };
     for call in ["LOADTL/1\n", ""] {
         let found = events_without_places(&format!("{call}GOTO/0,0,0\n"), of_entry.clone());
         assert_eq!(found.last().map(String::as_str), Some("feed 0 0 -2 axis 0 0 1 None"));
