@@ -5,6 +5,7 @@
 //! vanishes, and nothing is sampled; [`symbolic`](super) explains what another remainder means. Reciprocals are
 //! multiplied out first (rule `clear`).
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use num_rational::BigRational;
@@ -32,6 +33,10 @@ struct SymbolFacts {
 #[derive(Debug, Clone, Default)]
 pub struct Ring {
     known: Vec<SymbolFacts>,
+    /// Monomials that have been reduced.
+    steps: Cell<usize>,
+    /// Largest number of them; what comes after it is left undone.
+    most: Option<usize>,
 }
 
 impl Ring {
@@ -182,6 +187,25 @@ impl Ring {
         if text.is_empty() { "0".into() } else { text }
     }
 
+    /// Limits the monomials that are reduced from now on.
+    pub fn limit(&mut self, most: usize) {
+        self.steps.set(0);
+        self.most = Some(most);
+    }
+
+    /// Whether the limit has been reached: no result since then is one.
+    #[must_use]
+    pub fn is_exhausted(&self) -> bool {
+        self.most.is_some_and(|most| self.steps.get() > most)
+    }
+
+    /// Ends the limit; whether it had been reached.
+    pub fn end_limit(&mut self) -> bool {
+        let exhausted = self.is_exhausted();
+        self.most = None;
+        exhausted
+    }
+
     /// Product in normal form.
     #[must_use]
     pub fn mul(&self, a: &Poly, b: &Poly) -> Poly {
@@ -230,7 +254,7 @@ impl Ring {
     /// ones in their divisors, so they are cleared last to first.
     #[must_use]
     pub fn is_zero(&self, poly: &Poly) -> bool {
-        self.clear(poly, |degree| degree).is_zero()
+        self.clear(poly, |degree| degree).is_zero() && !self.is_exhausted()
     }
 
     /// A polynomial of the same sign without reciprocals, wherever no divisor is zero.
@@ -291,6 +315,10 @@ impl Ring {
 
     /// Rules `circle`, `unit-vector` and `root`, applied until no leading symbol has a power above 1.
     fn add_reduced(&self, sum: &mut Poly, monomial: Monomial, factor: &Surd) {
+        self.steps.set(self.steps.get() + 1);
+        if self.is_exhausted() {
+            return;
+        }
         let square_of = |symbol: Symbol| self.known[symbol.0 as usize].square.as_ref();
         let mut leading = monomial.iter().enumerate().filter(|(_, (_, power))| *power >= 2);
         let Some((position, square)) = leading.find_map(|(position, (s, _))| Some((position, square_of(*s)?))) else {

@@ -227,7 +227,7 @@ impl<'a> Algebra<'a> {
     }
 }
 
-fn too_large(expr: &Expr) -> Fault {
+pub(super) fn too_large(expr: &Expr) -> Fault {
     Fault::new(
         expr.phrase,
         "this expression is too large to be decided",

@@ -158,6 +158,8 @@ verify \"kinds\" {
 //          ^^^^^^^^^^^^^^^^^^^^^ the divisor `i^2 + j^2 + k^2 - 1` is zero at every pose of this machine
     k = (x + y + z + d)^64;
 //      ^^^^^^^^^^^^^^^^^^ this expression is too large to be decided
+    B = 2 * atan2(sqrt(1 - k) * (x * y) / sqrt(x^2 * y^2), sqrt(1 + k));
+//      ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this expression is too large to be decided
 }
 ",
     );

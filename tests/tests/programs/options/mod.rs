@@ -4,6 +4,7 @@
 //! which the job cannot be posted; `job.cls` is the job: faces, a contour with cutter compensation, a blade, a pole, a tilted pocket,
 //! holes, a bore, a thread and a probe.
 
+mod commands;
 mod effects;
 mod pairs;
 
