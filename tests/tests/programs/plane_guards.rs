@@ -97,7 +97,10 @@ fn a_plane_between_the_steps_of_indexed_axes_is_refused() {
         let job = Job { cl_name: "faces.cls", config: &config, control, units: None };
         let cl = faces(&[40.15]);
         let report = post::<SpinnerU5620>(&job, &mut Cursor::new(cl), &mut Vec::new()).expect("it can run");
-        assert!(report.diagnostics.iter().any(|found| format!("{found:?}").contains("0.1500° off")), "{name}");
+        assert!(
+            report.diagnostics.iter().any(|found| format!("{found:?}").contains("° off the tool axis of this plane")),
+            "{name}"
+        );
     }
 }
 

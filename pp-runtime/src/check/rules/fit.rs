@@ -355,16 +355,19 @@ impl Rules<'_> {
         let largest = (1.0 + drift(arrival.chords)) * self.rounding.tip_mm;
         let is_corner = |from: Vector3<f64>| {
             let step = segment.to.tip - from;
-            // Out along the tool axis as it is, in along that at the end; that of words is rounded.
-            let along = |axis: Vector3<f64>| axis * step.dot(&axis);
             let out = step.dot(&segment.to.axis) > 0.0;
-            let rotates = !self.is_axis_near(&here.axis, &segment.to.axis, BOTH);
-            let (corner, axis, rounded_mm) = match (out, rotates) {
-                (true, true) => (from + along(here.axis), here.axis, self.rounding.axis_rad * step.norm()),
-                (true, false) => (from + along(segment.to.axis), segment.to.axis, 0.0),
-                (false, _) => (segment.to.tip - along(segment.to.axis), segment.to.axis, 0.0),
+            let is_at = |corner: Vector3<f64>, axis: &Vector3<f64>, rounded_mm: f64| {
+                (end.tip - corner).norm() <= largest + rounded_mm && self.is_axis_near(&end.axis, axis, BOTH)
             };
-            (end.tip - corner).norm() <= largest + rounded_mm && self.is_axis_near(&end.axis, &axis, BOTH)
+            let along = |axis: &Vector3<f64>| axis * step.dot(axis);
+            // Out along the tool axis as it is before it rotates, in along that at the end; that of words is rounded.
+            match out {
+                true => {
+                    is_at(from + along(&segment.to.axis), &segment.to.axis, 0.0)
+                        || is_at(from + along(&here.axis), &here.axis, self.rounding.axis_rad * step.norm())
+                }
+                false => is_at(segment.to.tip - along(&segment.to.axis), &segment.to.axis, 0.0),
+            }
         };
         // A cycle that leans with its words returns beside the axis of its hole.
         (is_corner(here.tip) || is_corner(segment.from.tip)).then_some(0.0)

@@ -148,7 +148,7 @@ static SPELLINGS: Spellings = Spellings {
     shortest_note: "parameters 1008#0 = 1 and 1008#1 = 0",
     rotary_note: "the axes must not roll over (parameter 1008#0 = 0)",
     examples: &[("control.states", r#"{ "5114" = 0.5, "5115" = 0.5 }"#)],
-    unused_keys: &["control.plane_by", "control.swivel_data"],
+    unused_keys: &["control.plane_by", "control.swivel_data", "control.tip_control"],
     found_at: &[
         FoundAt {
             key: "part_origin",

@@ -133,7 +133,7 @@ static SPELLINGS: Spellings = Spellings {
     }),
     rotary_note: "the axes must not take the shortest path to an angle beyond 360",
     examples: &[("control.tool_change", r#"["T{tool} M06", "T{next}"]"#)],
-    unused_keys: &["control.smoothing_levels", "control.swivel_data"],
+    unused_keys: &["control.smoothing_levels", "control.swivel_data", "control.tip_control"],
     found_at: &[
         FoundAt {
             key: "part_origin",

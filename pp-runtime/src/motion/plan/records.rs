@@ -374,7 +374,7 @@ impl<S: Sink> Records<'_, '_, S> {
 
     /// Writes a block of the CL data unchanged; after it position and state of the machine are unknown.
     fn raw(&mut self, text: &[u8]) -> Planned {
-        if self.planner.policy.options.lift_mm.is_some() {
+        if self.planner.policy.options.lift_mm.is_some() && self.planner.selection.is_written() {
             let fault =
                 Fault::new("a dry run writes no NC text of the CL data: it could move an axis or start the spindle");
             return Err(fault
@@ -418,7 +418,7 @@ impl<S: Sink> Records<'_, '_, S> {
     fn probe(&mut self, blocks: &[String]) -> Planned {
         let planner = &mut *self.planner;
         let fault = |text: &str, help: &str| Err(Fault::new(text).help(help).into());
-        if planner.policy.options.lift_mm.is_some() {
+        if planner.policy.options.lift_mm.is_some() && planner.selection.is_written() {
             return fault("a dry run does not probe: it would measure where nothing is", "post it without the dry run");
         }
         if !planner.mover.position().is_known() {

@@ -36,6 +36,7 @@ impl Case {
 }
 
 const POST: &str = "post {dir}/part.cls --config {dir}/set_up.toml --control siemens -o {dir}/out.nc";
+const BLADES: &str = "post {dir}/part.cls --config {dir}/set_up.toml --control siemens -o {dir}/out.nc --ops 4..5";
 const SIMULATE: &str = "simulate {dir}/part.cls --config {dir}/set_up.toml --control siemens --pitch 4";
 const DESIGN: &str =
     "simulate {dir}/part.cls --config {dir}/set_up.toml --control siemens --pitch 4 --design {dir}/block.stl";
@@ -62,17 +63,17 @@ const CASES: &[Case] = &[
     case(POST, "--columns 72")
         .records("PPRINT/COLUMNS                                                                 00010\n"),
     case(POST, "--inert SHOPWORD").settings(&[("cl.inert", "")]),
-    case(POST, "--frames first").records("MSYS/10,0,0,1,0,0,0,1,0\nRAPID\nGOTO/0,0,60,0,0,1\n"),
+    case(POST, "--frames first").records("MSYS/0,0,0,1,0,0,0,1,0\nMSYS/10,0,0,1,0,0,0,1,0\nRAPID\nGOTO/0,0,60,0,0,1\n"),
     case(POST, "--circle-sense ccw"),
-    case(POST, "--insert write"),
+    case(POST, "--insert comment").settings(&[("cl.insert", "")]),
     case(POST, "--allow-insert").settings(&[("cl.insert", "")]),
     case(POST, "--from move"),
     case(POST, "--start-branch second").settings(BOTH_SIDES),
     case(POST, "--prefer B-").settings(BOTH_SIDES),
-    case(POST, "--greedy").settings(&[("limits.C", "[-100.0, 200.0]")]),
+    case(POST, "--greedy"),
     case(POST, "--axis-tolerance 4"),
     case(POST, "--mode axes"),
-    case(POST, "--lift 50").settings(&[("cycles.probe", "{ \"PROBE/BORE,20\" = [\"PROBE_BORE(20)\"] }")]),
+    case(BLADES, "--lift 50"),
     case(POST, "--ops 3..4"),
     case(POST, "--from-op HOLES"),
     case(POST, "--line-numbers"),
@@ -119,14 +120,14 @@ const CASES: &[Case] = &[
     case("kinematics --fanuc", "-o {dir}/sheet.md"),
     case("kinematics --fanuc", "--config {dir}/set_up.toml").settings(&[("dimensions.d", "160.0")]),
     case("man", "-o {dir}/pages"),
-    case("new {dir}/fresh", "--pp-runtime {dir}"),
 ];
 
 const BLANK: &[(&str, &str)] = &[("stock.lower", "[-60.0, -60.0, -30.0]"), ("stock.upper", "[60.0, 60.0, 0.0]")];
 const BOTH_SIDES: &[(&str, &str)] = &[("limits.B", "[-180.0, 180.0]")];
 
-/// Options without an effect on what is written: number of threads, progress on a terminal, a browser, and the text of the help.
-const NO_EFFECT: &[&str] = &["threads", "quiet", "open", "help"];
+/// Options without an effect on what is written: number of threads, progress on a terminal, a browser, and the text of the help; and the
+/// folder of a checkout, in a test of its own.
+const NO_EFFECT: &[&str] = &["threads", "quiet", "open", "help", "pp-runtime"];
 
 /// Options of commands that read CL data as `post` does: their effect is seen there.
 const OF_JOB: &[&str] = &["check", "view", "report", "simulate", "explain-block"];

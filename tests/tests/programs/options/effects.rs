@@ -112,7 +112,6 @@ fn printed_examples_post() {
         ("stock.lower", "both corners of the blank"),
         ("stock.diameter", "blank"),
         ("control.coolant", "COOLNT asks for"),
-        ("control.tip_control", "leave `control.tip_control` out"),
         ("control.mill_turn", "`control.mill_turn` gives the tool another one"),
         ("control.effects", "declare its effect in `[control] effects`"),
         ("control.functions", "`control.functions`"),

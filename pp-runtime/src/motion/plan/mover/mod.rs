@@ -505,8 +505,8 @@ impl<'a, S: Sink> Mover<'a, S> {
         let here = *self.here();
         let step = motion.pose.tip - here.pose.tip;
         let out = step.dot(&motion.pose.axis) > 0.0;
-        // The tool that moves out has the axis that it has here.
-        let axis = if out { here.pose.axis } else { motion.pose.axis }.into_inner();
+        // The tool that moves out before it rotates has the axis that it has here.
+        let axis = if out && self.rotates(place) { here.pose.axis } else { motion.pose.axis }.into_inner();
         let along = axis * step.dot(&axis);
         if along.norm() <= self.placer.unit_mm() || (step - along).norm() <= self.placer.unit_mm() {
             return Ok(());
