@@ -393,7 +393,7 @@ mod tests {
         assert_eq!(six(60.0), "60");
         assert_eq!(six(1e-13), "0");
         let eight = |value| text(Decimal::significant(value, MOST_SIGNIFICANT).expect("fits"));
-        assert_eq!((eight(1.0 / 3.0), eight(1234.567_890_123)), ("0.33333333".to_owned(), "1234.5679".to_owned()));
+        assert_eq!((eight(1.0 / 3.0), eight(1_234.567_890_123)), ("0.33333333".to_owned(), "1234.5679".to_owned()));
         assert_eq!((eight(1e-12), eight(1_234_567_890.0)), ("0.000000000001".to_owned(), "1234567900".to_owned()));
     }
 

@@ -617,7 +617,7 @@ impl Comparison<'_> {
             let state = self.rules.fault_at_path(block, required, self.modal_context());
             let feed = state.is_none() && self.rules.is_known(block, known);
             let stroke = || self.rules.stroke(&before, block, (back.length(), f64::INFINITY), *programmed, required);
-            let feed = if feed { self.rules.feed_fault(&stroke(), &block.state, &back, [0.0, 1.0]) } else { None };
+            let feed = if feed { self.rules.feed_fault(&stroke(), &block.state, back, [0.0, 1.0]) } else { None };
             state.or(feed.map(StateFault::from))
         };
         let faults: Vec<Option<StateFault>> = next.iter().chain(&finished).map(fault).collect();

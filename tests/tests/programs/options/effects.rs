@@ -125,7 +125,7 @@ fn printed_examples_post() {
             let row = keys.rows.iter().find(|row| row.key == *key || below(key, &row.key));
             let row = row.filter(|row| row.place == Place::Asked);
             let Some(mut job) = keys.job(control, row.as_slice()) else { continue };
-            job.settings.retain(|other, _| !below(other, key) && !row.is_some_and(|row| *other == row.key));
+            job.settings.retain(|other, _| !below(other, key) && row.is_none_or(|row| *other != row.key));
             job.settings.insert(key.clone(), value.clone());
             let outcome = job.run(&folder, Sees::Text);
             let errors = outcome.errors();
