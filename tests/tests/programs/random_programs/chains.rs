@@ -4,6 +4,8 @@
 //!
 //! `PP_CHAINS=N` sets the number of jobs for each chain, control and mode, `PP_CHAINS_SEED=S` the first seed.
 
+use pp_conformance::conformance::{Fault, find_fault};
+
 use super::cl::AxisRange;
 use super::*;
 
@@ -11,6 +13,8 @@ use super::*;
 struct Subject {
     kind: &'static MachineKind,
     post: fn(&Case) -> Outcome,
+    /// The first fault of its kinematics in so many poses.
+    fault: fn(usize) -> Option<Fault>,
 }
 
 impl Subject {
@@ -25,7 +29,7 @@ impl Subject {
             table: rotary().any(|axis| axis.side == Side::Workpiece),
             head: rotary().any(|axis| axis.side == Side::Tool),
         };
-        Self { kind: Box::leak(Box::new(kind)), post: run::<M> }
+        Self { kind: Box::leak(Box::new(kind)), post: run::<M>, fault: find_fault::<M> }
     }
 }
 
@@ -99,6 +103,24 @@ chains! {
 fn may_be_parallel(chain: &str) -> bool {
     let order: String = chain.chars().filter(|letter| matches!(letter, 'X' | 'Y' | 'C')).collect();
     matches!(&*order, "XCY" | "YCX")
+}
+
+/// Poses of each chain that are compared with the product of its matrices.
+const POSES: usize = 1_000;
+
+/// The proven kinematics of each chain are those of its declared joints: poses are found, solved or out of reach, and rates and bounds
+/// are those of the matrices.
+#[test]
+fn the_kinematics_of_every_chain_are_the_product_of_its_matrices() {
+    for subject in subjects() {
+        let fault = (subject.fault)(POSES);
+        assert!(
+            fault.is_none(),
+            "{}: {}",
+            subject.kind.name,
+            fault.map_or_else(String::new, |fault| fault.to_string())
+        );
+    }
 }
 
 /// Number of jobs for each chain, control and mode.
