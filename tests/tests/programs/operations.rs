@@ -293,3 +293,18 @@ fn blocks_of_the_shop_may_state_the_tolerance_of_blending_of_each_operation() {
         }
     }
 }
+
+/// An operation whose last motion is a hole has ended as any other.
+#[test]
+fn lines_at_the_end_come_after_a_hole_that_nothing_follows() {
+    let cl = "UNITS/MM\nTOOL PATH/HOLE,TOOL,DRILL\nLOADTL/4\nSPINDL/RPM,2000,CLW\nRAPID\nGOTO/5,9,50,0,0,1\n\
+        CYCLE/DRILL,DEPTH,5,CLEAR,3,MMPM,100\nGOTO/5,9,-4\nCYCLE/OFF\nFINI\n";
+    for control in control::CONTROLS {
+        let keys = "part_origin = [0.0, 0.0, 0.0]\nmode = 'axes'\ncl.dialect = 'iso'\nprogram.operation_end = ['M131']\n\
+            control.effects = { 'M131' = 'none' }\n";
+        let config = starting_point(*control).read_over(&SpinnerU5620::default(), keys);
+        let config = config.unwrap_or_else(|faults| panic!("{faults:?}"));
+        let program = posted::<SpinnerU5620>(&config, *control, cl);
+        assert!(program.contains("M131"), "{program}");
+    }
+}

@@ -206,3 +206,21 @@ fn the_return_of_a_cycle_is_the_retract_also_where_the_cl_data_repeats_its_point
         }
     }
 }
+
+/// The largest speeds are those of the axes of the machine, not of the words of a plane.
+#[test]
+fn speeds_of_axes_hold_back_a_hole_along_its_own_direction() {
+    let cl = "UNITS/MM\nLOADTL/1\nSPINDL/RPM,2000,CLW\nRAPID\nGOTO/30,30,50,0.5,0,0.8660254\n\
+        CYCLE/DRILL,DEPTH,10,CLEAR,3,MMPM,900\nGOTO/20,20,1\nGOTO/10,20,1\nCYCLE/OFF\nFINI\n";
+    for name in ["fanuc", "haas", "siemens", "heidenhain"] {
+        let control = control::by_name(name).expect("a control");
+        for (speed, feed) in [("Z = 300.0", "346.4"), ("X = 300.0", "600"), ("Y = 300.0", "900")] {
+            let keys = format!("retract.distance = 80.0\ncl.dialect = 'iso'\n[speeds]\n{speed}\n");
+            let config = config::<LolaXoyzba>(control, "auto", &keys);
+            let (program, report) = written::<LolaXoyzba>(&config, control, cl).expect("it can run");
+            assert!(!report.failed, "{name} {speed}: {:?}\n{program}", report.diagnostics);
+            let found = findings::<LolaXoyzba>(&config, control, cl, &program);
+            assert!(found.is_empty() && program.contains(feed), "{name} {speed}: {found:?}\n{program}");
+        }
+    }
+}

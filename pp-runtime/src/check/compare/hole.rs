@@ -301,8 +301,9 @@ impl CycleComparison<'_> {
         if let Some(feed) = self.cycle.feed {
             (state.feed, state.feed_mode) = (Some(feed), Some(FeedMode::PerMinute));
         }
-        let from = rules.words().values(&words_at(rules, block, self.cycle.reference)?);
-        let to = rules.words().values(&words_at(rules, block, self.cycle.bottom)?);
+        // The axes of the machine, whatever the frame of the words.
+        let axes = |level_mm: f64| rules.words().axes(&words_at(rules, block, level_mm)?, &block.state);
+        let (from, to) = (axes(self.cycle.reference)?, axes(self.cycle.bottom)?);
         let length_mm = hole.clearance_mm + hole.depth_mm;
         let stroke = Stroke {
             uneven: None,

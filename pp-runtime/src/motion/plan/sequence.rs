@@ -243,6 +243,7 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.output_mut().set_skippable(on)?;
         self.tooling.skip(on);
         self.coolant.forget();
+        self.mover.skip_clamps();
         self.mover.position_mut().skip(on);
         self.mover.position_mut().forget();
         // Skipped or not, the machine is there.

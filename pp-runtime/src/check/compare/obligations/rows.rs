@@ -187,7 +187,7 @@ fn has_own_tip_control(policy: &CheckPolicy) -> bool {
 /// What is owed, after what, and until what.
 #[rustfmt::skip]
 pub(super) const OWED: [Owed; 14] = [
-    owed(Duty::CompleteState, &[DutyEvent::Begin, DutyEvent::Motion, DutyEvent::BlockSkip], &[DutyEvent::CompleteState], |_| true),
+    owed(Duty::CompleteState, &[DutyEvent::Begin, DutyEvent::Motion, DutyEvent::Cycle, DutyEvent::BlockSkip], &[DutyEvent::CompleteState], |_| true),
     owed(Duty::Retract, &[DutyEvent::Begin, DutyEvent::CompleteState, DutyEvent::PositionLost, DutyEvent::ShopLine, DutyEvent::BlockSkip], &[DutyEvent::Retract], |_| true),
     owed(Duty::RetractAfterShopLine, &[DutyEvent::ShopLine], &[DutyEvent::Retract], |_| true),
     owed(Duty::Parking, &[DutyEvent::Home], &[], |_| true),

@@ -25,6 +25,11 @@ impl<S: Sink> Mover<'_, S> {
         Ok(())
     }
 
+    /// Blocks that may be skipped begin or end: clamps are as those have left them, or not.
+    pub(crate) fn skip_clamps(&mut self) {
+        self.clamps.forget();
+    }
+
     /// Moves the retract axis to its machine position, unless it is there; ends tip control and tilted planes.
     pub(crate) fn machine_retract(&mut self) -> Planned {
         if self.position.is_retracted() {
