@@ -6,6 +6,22 @@ use pp_runtime::control::{self, CONTROLS, Control};
 /// control cuts under tip control; in the fourth the tool axis rotates.
 pub const WORKS: [(&str, &str); 4] = [("axes", "1..5"), ("tcp", "1..4"), ("plane", "1..3"), ("auto", "1..5")];
 
+/// The commands of every machine.
+pub const COMMANDS: [&str; 12] = [
+    "post",
+    "check",
+    "view",
+    "report",
+    "simulate",
+    "explain-block",
+    "config",
+    "explain",
+    "kinematics",
+    "new",
+    "completions",
+    "man",
+];
+
 /// Every control of the product.
 pub fn controls() -> impl Iterator<Item = &'static str> {
     CONTROLS.iter().map(|control| control.spellings().name)

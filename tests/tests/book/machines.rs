@@ -22,22 +22,6 @@ mod quickstart;
 #[path = "../../../examples/src/bin/house_control.rs"]
 mod house_control;
 
-/// The commands of every machine.
-pub(crate) const COMMANDS: [&str; 12] = [
-    "post",
-    "check",
-    "view",
-    "report",
-    "simulate",
-    "explain-block",
-    "config",
-    "explain",
-    "kinematics",
-    "new",
-    "completions",
-    "man",
-];
-
 type Entry = fn(&[OsString], Streams<'_>) -> Status;
 
 fn entry<M: Machine>(args: &[OsString], streams: Streams<'_>) -> Status {

@@ -26,11 +26,11 @@ use std::path::{Path, PathBuf};
 
 use chapter::{Chapter, Listing, Part, SOURCE};
 use folder::Folder;
-use machines::COMMANDS;
 use pp_runtime::config::Config;
 use pp_runtime::control::LinuxCnc;
 use tests::binaries::{golden_programs, workspace};
 use tests::by_name;
+use tests::by_name::COMMANDS;
 use tests::environment;
 
 /// Fails with what was found, if anything was.

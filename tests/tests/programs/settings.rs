@@ -247,12 +247,12 @@ fn a_setting_never_replaces_what_the_cl_data_states() {
 }
 
 /// Keys of the schema, those of a table by number as one.
-fn keys(path: &str, schema: &Value, found: &mut Vec<String>) {
+pub(crate) fn keys_of_schema(path: &str, schema: &Value, found: &mut Vec<String>) {
     let Some(properties) = schema["properties"].as_object() else { return };
     for (name, of) in properties {
         let key = if path.is_empty() { name.clone() } else { format!("{path}.{name}") };
         if of["properties"].is_object() {
-            keys(&key, of, found);
+            keys_of_schema(&key, of, found);
         } else {
             found.push(key);
         }
@@ -267,7 +267,7 @@ fn every_key_is_in_a_list() {
     assert_eq!(cli::run_with::<SpinnerU5620>(&arguments, streams), Status::Done);
     let schema: Value = serde_json::from_slice(&output).expect("JSON");
     let mut all = Vec::new();
-    keys("", &schema, &mut all);
+    keys_of_schema("", &schema, &mut all);
     assert!(all.len() > 200, "{all:?}");
     let listed = |key: &String| {
         let is = |name: &str| key == name || name.ends_with('.') && key.starts_with(name);

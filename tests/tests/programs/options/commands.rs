@@ -4,11 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use machines::SpinnerU5620;
-use pp_runtime::cli::{self, Status, Streams};
 use tempfile::tempdir;
+use tests::by_name::COMMANDS;
 
-use super::{BLOCK, Keys};
+use super::{BLOCK, Keys, executed};
 
 /// An option of a command, in a job that uses it.
 struct Case {
@@ -136,14 +135,6 @@ const OF_JOB: &[&str] = &["check", "view", "report", "simulate", "explain-block"
 #[derive(PartialEq)]
 struct Done(String, Vec<u8>, Vec<u8>, BTreeMap<String, Vec<u8>>);
 
-fn run(arguments: &[String]) -> (Status, Vec<u8>, Vec<u8>) {
-    let arguments: Vec<_> =
-        std::iter::once("spinner").chain(arguments.iter().map(String::as_str)).map(Into::into).collect();
-    let (mut output, mut errors) = (Vec::new(), Vec::new());
-    let streams = Streams { input: &mut &b""[..], output: &mut output, errors: &mut errors, terminal: false };
-    (cli::run_with::<SpinnerU5620>(&arguments, streams), output, errors)
-}
-
 /// The files below a folder.
 fn files(folder: &Path, found: &mut BTreeMap<String, Vec<u8>>) {
     for entry in fs::read_dir(folder).expect("a folder") {
@@ -175,7 +166,7 @@ impl Case {
         let here = folder.to_str().expect("text");
         if self.command.starts_with("check") {
             let words = |text: &str| text.split(' ').map(|word| word.replace("{dir}", here)).collect::<Vec<_>>();
-            run(&words("post {dir}/part.cls --config {dir}/set_up.toml --control siemens -o {dir}/right.nc"));
+            executed(&words("post {dir}/part.cls --config {dir}/set_up.toml --control siemens -o {dir}/right.nc"));
             let right = fs::read_to_string(folder.join("right.nc")).expect("it is posted");
             let line = 1 + right.lines().position(|line| line.contains("F812.35")).expect("a feed");
             write("edited.nc", &right.replacen("F812.35", "F512.35", 1));
@@ -184,7 +175,7 @@ impl Case {
         }
         let option = if with { self.option } else { "" };
         let words = self.command.split(' ').chain(option.split(' ')).filter(|word| !word.is_empty());
-        let (status, output, errors) = run(&words.map(|word| word.replace("{dir}", here)).collect::<Vec<_>>());
+        let (status, output, errors) = executed(&words.map(|word| word.replace("{dir}", here)).collect::<Vec<_>>());
         let mut found = BTreeMap::new();
         files(&folder, &mut found);
         fs::remove_dir_all(&folder).expect("it was made");
@@ -210,7 +201,7 @@ fn every_option_has_an_effect() {
 
 #[test]
 fn every_option_is_in_the_list() {
-    let help = |command: &str| String::from_utf8(run(&[command.to_owned(), "--help".to_owned()]).1).expect("text");
+    let help = |command: &str| String::from_utf8(executed(&[command, "--help"]).1).expect("text");
     let options = |command: &str| -> BTreeSet<String> {
         let text = help(command);
         let names = text
@@ -219,20 +210,7 @@ fn every_option_is_in_the_list() {
         names.map(|rest| rest.split([' ', '\n']).next().unwrap_or_default().to_owned()).collect()
     };
     let of_job = options("explain-block");
-    for command in [
-        "post",
-        "check",
-        "view",
-        "report",
-        "simulate",
-        "explain-block",
-        "config",
-        "explain",
-        "kinematics",
-        "new",
-        "completions",
-        "man",
-    ] {
+    for command in COMMANDS {
         for option in options(command) {
             let written = if option == "output" { "-o".to_owned() } else { format!("--{option}") };
             let of = |case: &&Case| case.option.split(' ').next() == Some(written.as_str());

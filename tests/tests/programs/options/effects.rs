@@ -6,6 +6,8 @@ use serde_json::Value;
 use tempfile::tempdir;
 use tests::by_name;
 
+use crate::settings::keys_of_schema;
+
 use super::{Job, Keys, Place, Row, Sees, of_control, run};
 
 impl Keys {
@@ -58,18 +60,6 @@ fn every_key_has_an_effect() {
         }
     }
     assert!(idle.is_empty(), "without an effect: {idle:#?}");
-}
-
-/// Keys of the schema; those of tools, set-ups and operations have any number or name.
-fn keys_of_schema(path: &str, schema: &Value, found: &mut Vec<String>) {
-    let Some(properties) = schema["properties"].as_object() else { return };
-    for (name, of) in properties {
-        let key = if path.is_empty() { name.clone() } else { format!("{path}.{name}") };
-        match of["properties"].is_object() {
-            true => keys_of_schema(&key, of, found),
-            false => found.push(key),
-        }
-    }
 }
 
 #[test]

@@ -284,14 +284,20 @@ impl Outcome {
     }
 }
 
-/// Runs a command of the machine.
-fn run(arguments: &[&str]) -> Outcome {
-    let arguments: Vec<_> = std::iter::once("spinner").chain(arguments.iter().copied()).map(Into::into).collect();
+/// Runs a command of the machine: its status, output and messages.
+fn executed(arguments: &[impl AsRef<str>]) -> (Status, Vec<u8>, Vec<u8>) {
+    let arguments: Vec<_> =
+        std::iter::once("spinner").chain(arguments.iter().map(AsRef::as_ref)).map(Into::into).collect();
     let (mut output, mut errors) = (Vec::new(), Vec::new());
     let streams = Streams { input: &mut &b""[..], output: &mut output, errors: &mut errors, terminal: false };
-    let posted = cli::run_with::<SpinnerU5620>(&arguments, streams) == Status::Done;
+    (cli::run_with::<SpinnerU5620>(&arguments, streams), output, errors)
+}
+
+/// The same as text.
+fn run(arguments: &[&str]) -> Outcome {
+    let (status, output, errors) = executed(arguments);
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
-    Outcome { posted, output: text(output), messages: text(errors) }
+    Outcome { posted: status == Status::Done, output: text(output), messages: text(errors) }
 }
 
 impl Job {
