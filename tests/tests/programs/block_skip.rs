@@ -246,8 +246,8 @@ fn a_tool_is_checked_on_its_own_side_of_the_marks() {
 fn a_clamp_is_released_before_parking_after_skipped_blocks() {
     let cl = "UNITS/MM\nLOADTL/1\nSPINDL/RPM,4000,CLW\nRAPID\nGOTO/0,0,20,0,0,1\nFEDRAT/MMPM,700\nGOTO/0,0,10\nOPSKIP/ON\n\
         GOTO/2,4,10,0,0.11971221,0.99280864\nGOTO/2.5,5,10,0,0.14943813,0.98877108\nRAPID\nGOTO/2.5,5,50\nOPSKIP/OFF\nFINI\n";
-    for name in ["linuxcnc", "fanuc", "haas", "heidenhain"] {
-        let control = control::by_name(name).expect("a control");
+    for &control in control::CONTROLS {
+        let name = control.spellings().name;
         let codes = if name == "linuxcnc" { "on = 'M64 P6', off = 'M65 P6'" } else { "on = 'M162', off = 'M262'" };
         let frame = if name == "fanuc" { "tcp_frame = 'table_at_zero'\n" } else { "" };
         let keys = format!("{frame}retract.distance = 80.0\npark.B = 30.0\nclamp.B = {{ {codes} }}\n");

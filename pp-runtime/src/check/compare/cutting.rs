@@ -225,7 +225,7 @@ impl Comparison<'_> {
             let deviation = here.and_then(|here| rules.deviation(&path, [here, end], segment, 0.0));
             let stroke = rules.stroke(words, block, lengths, part.feed, &part.required);
             let stroke = stroke.with_tip_rate(deviation.as_ref(), &part.required);
-            rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0])
+            rules.feed_fault(&stroke, &block.state, segment, [&segment.from, &segment.to])
         };
         !block.action.is_feed() || fault().is_none()
     }
@@ -357,18 +357,25 @@ impl Comparison<'_> {
     #[inline(never)]
     fn rapid_rules(&mut self, cutting: &mut Cutting, current: &Current<'_>, part: &Part) -> RapidRules {
         let begun = cutting.rapid_from.take();
+        let is_begun = begun.as_ref().is_some_and(|begun| !begun.is_corner);
         // The corner of a rapid in two blocks is on neither half of its line.
         let is_corner = part.share <= 0.0 && self.rules.policy().links.rapid == RapidForm::TwoBlocks;
+        let start = cutting.steps.as_ref().map_or(&self.previous.words, |steps| &steps.start);
+        let mut from = begun.unwrap_or_else(|| Box::new(RapidStart { words: *start, is_corner }));
+        let (segment, block) = (&part.segment, current.block);
         let rapid = RapidPart {
-            begun: begun.as_ref().is_some_and(|begun| !begun.is_corner),
+            begun: is_begun,
             ends: part.share >= 1.0 || is_corner,
             // The motion down from the approach point is a rapid if it is one in the CL data.
             approaches: part.starts || self.progress.is_approached(),
             in_thread: self.is_in_thread(),
+            in_hole: self.progress.next().is_some_and(|item| item.hole.is_some()),
+            rotates: match block.state.vector {
+                Some(_) => self.rules.rotated_for(&segment.from.axis, &segment.to.axis) != 0,
+                None => self.rules.rotates(&from.words, self.previous.known, block),
+            },
         };
-        let start = cutting.steps.as_ref().map_or(&self.previous.words, |steps| &steps.start);
-        let mut from = begun.unwrap_or_else(|| Box::new(RapidStart { words: *start, is_corner }));
-        let rules = RapidRules::of(&self.rules, (&from.words, self.previous.known), current.block, rapid);
+        let rules = RapidRules::of(&self.rules, block, rapid);
         if part.share < 1.0 {
             from.is_corner = is_corner;
             cutting.rapid_from = Some(from);
@@ -561,8 +568,7 @@ impl Comparison<'_> {
             BetweenEnds::Within(_) => rules.deviation(&rules.path(*words, block), ends, segment, self.progress.along()),
         };
         let stroke = stroke.with_tip_rate(deviation.as_ref(), &part.required);
-        let shares = [along, part.share];
-        let of = |stroke: &Stroke| self.rules.feed_fault(stroke, &block.state, segment, shares);
+        let of = |stroke: &Stroke| self.rules.feed_fault(stroke, &block.state, segment, ends);
         // F may be that of the motion of the CL data or of the one that the words lead on: after a cycle that leans they differ.
         let as_asked = || Stroke { length_mm: (part.share - along).abs() * segment.length(), ..stroke.clone() };
         let is_line = matches!(segment.shape, PathShape::Line);
@@ -617,7 +623,8 @@ impl Comparison<'_> {
             let state = self.rules.fault_at_path(block, required, self.modal_context());
             let feed = state.is_none() && self.rules.is_known(block, known);
             let stroke = || self.rules.stroke(&before, block, (back.length(), f64::INFINITY), *programmed, required);
-            let feed = if feed { self.rules.feed_fault(&stroke(), &block.state, back, [0.0, 1.0]) } else { None };
+            let feed =
+                if feed { self.rules.feed_fault(&stroke(), &block.state, back, [&back.from, &back.to]) } else { None };
             state.or(feed.map(StateFault::from))
         };
         let faults: Vec<Option<StateFault>> = next.iter().chain(&finished).map(fault).collect();
@@ -715,7 +722,7 @@ impl Comparison<'_> {
         let deviation = rules.deviation(&rules.path(*before, block), [&from, end], segment, 0.0);
         let stroke = rules.stroke(before, block, (0.0, longest), *feed, required);
         let stroke = stroke.with_tip_rate(deviation.as_ref(), required);
-        !at_feed || rules.feed_fault(&stroke, &block.state, segment, [0.0, 1.0]).is_none()
+        !at_feed || rules.feed_fault(&stroke, &block.state, segment, [&segment.from, &segment.to]).is_none()
     }
 
     /// Whether a block is a step of a rapid: an axis that takes the shorter way and has half a revolution to go, or more, goes

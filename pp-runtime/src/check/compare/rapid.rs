@@ -17,6 +17,10 @@ pub(super) struct RapidPart {
     pub(crate) approaches: bool,
     /// It belongs to a thread.
     pub(crate) in_thread: bool,
+    /// It belongs to a hole.
+    pub(crate) in_hole: bool,
+    /// It ends with the rotary axes elsewhere than the rapid begins.
+    pub(crate) rotates: bool,
 }
 
 /// Rules of a block that carries out a part of a motion at the part.
@@ -36,19 +40,16 @@ impl RapidRules {
     /// Rules of a feed motion of the CL data.
     pub(super) const CUT: Self = Self { expects_feed: true, follows_path: true, link: false, lacks_retract: false };
 
-    /// Rules of a part of a rapid; `from`: the words before the rapid, and which of them are known.
-    pub(super) fn of(
-        rules: &Rules<'_>,
-        (from, known): (&[f64; MAX_AXES], u16),
-        block: &Block,
-        rapid: RapidPart,
-    ) -> Self {
-        let rotates = rules.rotates(from, known, block);
-        if rapid.approaches {
-            return Self { expects_feed: false, follows_path: false, link: false, lacks_retract: rotates };
-        }
+    /// Rules of a part of a rapid.
+    pub(super) fn of(rules: &Rules<'_>, block: &Block, rapid: RapidPart) -> Self {
+        let rotates = rapid.rotates;
         let at_feed = !block.action.is_rapid();
         let (form, all_at_feed) = (rules.link_form(), rules.policy().links.rapid == RapidForm::Feed);
+        if rapid.approaches {
+            // The approach to a hole ends above it, and its own motions begin there.
+            let expects_feed = all_at_feed && rapid.in_hole && (at_feed || !rapid.in_thread);
+            return Self { expects_feed, follows_path: expects_feed, link: false, lacks_retract: rotates };
+        }
         let link = rapid.begun || !rapid.ends || rotates;
         let expects_feed = match form {
             // What the axes cannot follow is one rapid.

@@ -9,7 +9,7 @@ use super::super::rules::tool_name;
 use super::approach::FOR_APPROACH;
 use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::{Phase, Retracted};
-use super::{Comparison, Current};
+use super::{Comparison, Current, Previous};
 use crate::check::tolerances::ROUNDED_DWELL;
 
 impl Comparison<'_> {
@@ -74,12 +74,18 @@ impl Comparison<'_> {
             self.found(current, "the spindle has been switched on where a probe measures");
         }
         if first {
-            let before = self.setters.at_block;
-            let fault = self.rules.fault_at_measuring(&before, current.block, self.progress.last(), None);
+            let at = self.as_before(current.block);
+            let fault = self.rules.fault_at_measuring(&at, self.progress.last(), None);
             self.found_state(current, fault);
-            let loose = self.functions.loose(&before, &self.rules);
+            let loose = self.functions.loose(&at.state, &self.rules);
             self.found_any(current, loose);
         }
+    }
+
+    /// A block of the shop as if it did nothing: in the state, and with the axes, of the block before.
+    pub(super) fn as_before(&self, block: &Block) -> Block {
+        let Previous { words, known, .. } = self.previous;
+        Block { state: self.setters.at_block, values: words, known, written: 0, ..block.clone() }
     }
 
     pub(super) fn tool_change(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Phase> {

@@ -134,9 +134,9 @@ impl Comparison<'_> {
         if own.places.iter().all(measures) && !self.duties.owes(Duty::RetractAfterShopLine) {
             self.come_to(DutyPlace::Measuring, None, current);
             self.is_at_station(Station::Measuring, current);
-            let before = &self.setters.at_block;
-            let runs = before.spindle.flatten().is_some();
-            let fault = self.rules.fault_at_measuring(before, current.block, None, self.required_here());
+            let at = self.as_before(current.block);
+            let runs = at.state.spindle.flatten().is_some();
+            let fault = self.rules.fault_at_measuring(&at, None, self.required_here());
             self.found_state(current, fault);
             if own.places.contains(&OwnPlace::CheckTool) && runs {
                 self.found(current, "the spindle is on where a tool is checked for breakage");

@@ -405,8 +405,11 @@ impl State {
         keep(length, &other.length);
         keep(diameter, &other.diameter);
         keep(radius_delta_mm, &other.radius_delta_mm);
+        // Cancelled in one of the two, it may be cancelled.
+        *cancelled_offset = work_offset.or(*cancelled_offset);
+        keep(cancelled_offset, &other.work_offset.or(other.cancelled_offset));
         keep(work_offset, &other.work_offset);
-        keep(cancelled_offset, &other.cancelled_offset);
+        *cancelled_offset = cancelled_offset.filter(|_| work_offset.is_none());
         keep(units, &other.units);
         keep(incremental, &other.incremental);
         keep(absolute_centres, &other.absolute_centres);

@@ -412,21 +412,21 @@ impl<'a> Rules<'a> {
         Some(Box::new(fastest.map(|fastest| fastest.largest() * parts)))
     }
 
-    /// What is wrong with F of a block that goes from one share of a motion to another. With a tool vector the rotation of the
+    /// What is wrong with F of a block that goes from one pose to another on a motion. With a tool vector the rotation of the
     /// rotary axes is the control's own.
     pub(super) fn feed_fault(
         &self,
         stroke: &Stroke,
         state: &State,
         segment: &Segment,
-        shares: [f64; 2],
+        ends: [&ToolPose; 2],
     ) -> Option<String> {
         let law = &self.law;
         if state.vector.is_none() {
             return law.wrong(stroke, state);
         }
         let rotates = segment.turn() > 0.0;
-        let changes = || rotates.then(|| self.changes(&shares.map(|share| segment.at(share))));
+        let changes = || rotates.then(|| self.changes(ends));
         let along = || match law.needs_axes() {
             true => law.wrong_within(stroke, state, changes),
             false => law.wrong(stroke, state),
@@ -440,7 +440,7 @@ impl<'a> Rules<'a> {
 
     /// How far the axes may move between two poses. Near a pole the control chooses how far the rotary axes rotate: by any angle
     /// that a rest at the pole may have.
-    fn changes(&self, ends: &[ToolPose; 2]) -> Vec<[f64; MAX_AXES]> {
+    fn changes(&self, ends: [&ToolPose; 2]) -> Vec<[f64; MAX_AXES]> {
         let turn = angle_between(&ends[0].axis, &ends[1].axis);
         let far = ends.iter().all(|end| self.off_pole_rad(&end.axis) > 2.0 * turn);
         if far { self.words.changes(ends) } else { self.words.changes_near_pole(ends, self.largest_rest_rad()) }

@@ -287,20 +287,20 @@ impl Rules<'_> {
     }
 
     /// What is wrong with the state in which blocks of the shop measure: with a probe at its point after a motion of this state, or
-    /// the tool at the machine retract.
+    /// the tool at the machine retract. `at`: their block, as if it did nothing.
     pub(crate) fn fault_at_measuring(
         &self,
-        before: &State,
-        block: &Block,
+        at: &Block,
         probed: Option<&Required>,
         required: Option<&Required>,
     ) -> Option<StateFault> {
         let context = ModalContext { no_plane: probed.is_none(), ..ModalContext::default() };
         let frame = if probed.is_some() { FrameUse::AsMeant } else { FrameUse::Without };
+        let before = &at.state;
         let wet = before.coolant.is_some_and(|on| on != 0);
         self.everywhere(before, Side::None, context)
             .or_else(|| inverse_time(before))
-            .or_else(|| self.frame(&Block { state: *before, ..block.clone() }, frame))
+            .or_else(|| self.frame(at, frame))
             .or_else(|| (before.smoothing != Smoothing::Off).then(|| "smoothing is on where blocks measure".to_owned()))
             .or_else(|| wet.then(|| "the coolant is on where blocks measure".to_owned()))
             .map(StateFault::from)

@@ -373,7 +373,7 @@ impl Words {
 
     /// How far the axes may move from one pose to another, for each position that was found; the poses are nearer to each other
     /// than to a pole.
-    pub(crate) fn changes(&self, [from, to]: &[ToolPose; 2]) -> Vec<[f64; MAX_AXES]> {
+    pub(crate) fn changes(&self, [from, to]: [&ToolPose; 2]) -> Vec<[f64; MAX_AXES]> {
         let change = |start: [f64; MAX_AXES]| {
             let end = self.rotated_to(&start, &to.axis, 0.0)?;
             let [start, end] =
@@ -386,16 +386,18 @@ impl Words {
 
     /// The same near a pole, where the first rotary axis may rotate by any angle up to `largest_rad`, and the other one may go
     /// through the pole.
-    pub(crate) fn changes_near_pole(&self, [from, to]: &[ToolPose; 2], largest_rad: f64) -> Vec<[f64; MAX_AXES]> {
+    pub(crate) fn changes_near_pole(&self, [from, to]: [&ToolPose; 2], largest_rad: f64) -> Vec<[f64; MAX_AXES]> {
         let Some(first) = self.rotary().next() else { return Vec::new() };
         let ends: Vec<_> = self.positions(&to.axis).collect();
         let starts = self.positions(&from.axis);
         let pairs = starts.flat_map(|start| ends.iter().map(move |end| (start, *end)));
         let rotated = pairs.flat_map(|(start, end)| {
-            (0..=POLE_PARTS).map(move |part| {
-                let mut end = end;
-                end[first] = start[first] + largest_rad * (2.0 * f64::from(part) / f64::from(POLE_PARTS) - 1.0);
-                (start, end)
+            (0..=POLE_PARTS).flat_map(move |part| {
+                let by_rad = largest_rad * (2.0 * f64::from(part) / f64::from(POLE_PARTS) - 1.0);
+                let (mut to, mut from) = (end, start);
+                (to[first], from[first]) = (start[first] + by_rad, end[first] - by_rad);
+                // At the pole itself the control chooses the start, or the end.
+                [(start, to), (from, end)]
             })
         });
         let change = |(start, end): ([f64; MAX_AXES], [f64; MAX_AXES])| {

@@ -90,7 +90,7 @@ fn decided<M: Machine>() -> [f64; 2] {
         for part in -40..=40 {
             let written = Some(500.0 / lengths.0 * (1.0 + 0.001 * f64::from(part)));
             block.state = State { feed: written, feed_mode: Some(FeedMode::InverseTime), ..State::default() };
-            let fault = rules.feed_fault(&followed, &block.state, &segment, [0.0, 1.0]);
+            let fault = rules.feed_fault(&followed, &block.state, &segment, [&segment.from, &segment.to]);
             let plainly = [[0.0, bound.tip_rate_mm], rates]
                 .map(|rates| rules.is_feed_plainly_right(&even, &block.state, rates, &required));
             assert!(plainly == [false; 2] || fault.is_none(), "{turn}: {written:?} {fault:?}");

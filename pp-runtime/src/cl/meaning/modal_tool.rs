@@ -55,6 +55,11 @@ impl ModalTool {
         self.held.map(|held| held.call).or(self.last)
     }
 
+    /// Corner radius that the CL data states for the tool in the spindle, mm.
+    pub(crate) fn corner_radius_mm(&self) -> Option<f64> {
+        self.current().map_or_else(|| self.table.corner_radius_without_call(), |call| call.corner_radius_mm)
+    }
+
     #[inline]
     pub(crate) fn is_held(&self) -> bool {
         self.held.is_some()

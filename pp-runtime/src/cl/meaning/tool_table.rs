@@ -141,6 +141,12 @@ impl ToolTable {
         Some((here, ClFault::new("names of a tool", Span::WHOLE, text, help).warning()))
     }
 
+    /// Corner radius of what cuts without a call, mm.
+    pub(crate) fn corner_radius_without_call(&self) -> Option<f64> {
+        let mut without_call = self.rows.range(..(Some(0), 0)).map(|(_, row)| row);
+        without_call.find_map(|row| size(row).1)
+    }
+
     fn row(&mut self, number: Option<u32>, register: u32, given: Option<&StatedTool>) -> &mut Row {
         self.rows.entry((number, register)).or_insert_with(|| {
             let stated = |value: Option<f64>| value.map(|value| (value, Place::Configuration));

@@ -61,11 +61,20 @@ fn the_centre_of_the_corner_radius_lies_above_the_tip() {
     assert_eq!(events_without_places(creo, centre.clone())[2], "feed 0 0 -5 axis 0 0 1 None");
     // Of a tool whose corner radius the configuration gives, called or not.
     let given = StatedTool { corner_radius_mm: Some(2.0), ..StatedTool::default() };
-    let of_entry = ReadingOptions { tools: [(1, given)].into(), default_tool: Some(1), ..centre };
+    let of_entry = ReadingOptions { tools: [(1, given)].into(), default_tool: Some(1), ..centre.clone() };
     for call in ["LOADTL/1\n", ""] {
         let found = events_without_places(&format!("{call}GOTO/0,0,0\n"), of_entry.clone());
         assert_eq!(found.last().map(String::as_str), Some("feed 0 0 -2 axis 0 0 1 None"));
     }
+    // Described after the call, or for what moves without one; the first rapid is with that cutter, too.
+    for (before, options) in
+        [("LOADTL/1\n", centre.clone()), ("", ReadingOptions { default_tool: Some(1), ..centre.clone() })]
+    {
+        let found = events_without_places(&format!("{before}CUTTER/10,1\nRAPID\nGOTO/0,0,5\nGOTO/0,0,0\n"), options);
+        assert_eq!(found[found.len() - 2..], ["rapid 0 0 4 axis 0 0 1 None", "feed 0 0 -1 axis 0 0 1 None"]);
+    }
+    let other = "CUTTER/10,1\nLOADTL/1\nGOTO/0,0,0\nCUTTER/10,2\nRAPID\nGOTO/0,0,5\n";
+    assert!(errors_with(other, centre.clone())[0].contains("tool 1 has a corner radius of 2"));
     let mut of_one = mm();
     of_one.cl_point_of.insert(1, ClPoint::Centre);
     assert_eq!(events_without_places(text, of_one)[1], "feed 0 -3 -4 axis 0 0.6 0.8 None");

@@ -390,7 +390,7 @@ impl<S: Sink> Planner<'_, S> {
         let first = ahead.motion;
         let place = self.mover.place(&first.pose, !first.rapid, planned)?;
         if self.mover.leaves_plane(&place) || first.rapid && self.may_enter_clearance(&place) {
-            return self.index(MotionAndNext { next: &Next::None, ..ahead }, planned);
+            return self.index(ahead, planned);
         }
         let before = self.mover.position().pose();
         if first.rapid {

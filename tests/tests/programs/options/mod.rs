@@ -7,6 +7,7 @@
 mod commands;
 mod effects;
 mod pairs;
+mod together;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

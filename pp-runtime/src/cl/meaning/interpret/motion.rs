@@ -67,14 +67,13 @@ impl RecordInterpreter {
 
     /// The same, as it is set for the present tool.
     fn tip_of_tool(&self, pose: Pose, at: Span) -> Result<Pose, ClFault> {
-        let tool = self.tool.current();
-        let number = tool.map(|tool| tool.number).or(self.options.default_tool);
+        let number = self.tool.current().map(|tool| tool.number).or(self.options.default_tool);
         let given = number.and_then(|number| self.options.cl_point_of.get(&number)).copied();
         if given.unwrap_or(self.options.cl_point) == ClPoint::Tip {
             return Ok(pose);
         }
         let of_entry = || self.options.tools.get(&number?)?.corner_radius_mm;
-        let Some(radius) = tool.and_then(|tool| tool.corner_radius_mm).or_else(of_entry) else {
+        let Some(radius) = self.tool.corner_radius_mm().or_else(of_entry) else {
             let entry = number.map_or_else(|| "N".to_owned(), |number| number.to_string());
             return Err(ClFault::new(
                 "cl_point",
@@ -143,10 +142,11 @@ impl RecordInterpreter {
         Ok(())
     }
 
-    /// Notes that the next motion cuts, unless it is a rapid.
+    /// Notes that the next motion cuts, unless it is a rapid. Where points may be centres, they are those of the cutter described last
+    /// in rapids, too.
     #[inline(always)]
     fn note_cut(&mut self) {
-        if self.tool.is_described_anew() && !self.path.is_rapid() {
+        if self.tool.is_described_anew() && !(self.path.is_rapid() && self.options.always_tip()) {
             let taken = self.tool.cut(&self.options);
             self.refuse(taken.err());
         }
