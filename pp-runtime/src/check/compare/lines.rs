@@ -221,7 +221,7 @@ impl Comparison<'_> {
             self.previous.offsets = None;
             self.functions.restart();
         }
-        if let Some(guard) = block.guard {
+        if let Some(guard) = block.guards.length {
             let required = self.progress.next().map(|item| &*item.required);
             let fault = self.functions.guard(guard, block.state.length, &self.rules, required);
             self.found_any(current, fault);
@@ -229,17 +229,17 @@ impl Comparison<'_> {
                 self.found(current, "the length guard comes after linear axes have moved in the approach");
             }
         }
-        if let Some(largest_mm) = block.radius_guard_mm {
+        if let Some(largest_mm) = block.guards.radius_mm {
             let fault = self.functions.radius_guard(largest_mm, block.state.length);
             self.found_any(current, fault);
         }
         if let Some(part) = block.blank {
             self.functions.blank(part);
         }
-        if block.offset_guard {
+        if block.guards.offset {
             self.duties.happens(DutyEvent::OffsetGuard);
         }
-        if let Some(guard) = &block.plane_guard {
+        if let Some(guard) = &block.guards.plane {
             if phase.is_retracted() {
                 self.duties.happens(DutyEvent::PlaneGuard);
             }

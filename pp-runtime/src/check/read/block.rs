@@ -460,6 +460,19 @@ pub struct Fault {
     pub text: String,
 }
 
+/// Guards that end with a block: each compares the control with what was posted, and stops the program where they differ.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct EndedGuards {
+    /// Of the tool length.
+    pub length: Option<Guard>,
+    /// Of the radius of the active edge: the largest one that it allows, mm.
+    pub radius_mm: Option<f64>,
+    /// Of the rotary positions.
+    pub plane: Option<RotaryGuard>,
+    /// Of what lies over the work offset: shifts that last, rotation, scale, mirror.
+    pub offset: bool,
+}
+
 /// What one line of a program does.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {
@@ -493,16 +506,8 @@ pub struct Block {
     pub restart: bool,
     /// Bits of [`stated`].
     pub stated: u8,
-    /// A length guard that ends with this block.
-    pub guard: Option<Guard>,
-    /// Largest radius of the active edge that a guard of the radius allows, which ends with this block, mm; it stops the
-    /// program.
-    pub radius_guard_mm: Option<f64>,
-    /// A guard of rotary positions that ends with this block.
-    pub plane_guard: Option<RotaryGuard>,
-    /// A guard of what lies over the work offset ends with this block: shifts that last, rotation, scale, mirror. It stops the
-    /// program.
-    pub offset_guard: bool,
+    /// Guards that end with it.
+    pub guards: EndedGuards,
     /// A part of the definition of the blank.
     pub blank: Option<BlankPart>,
     /// The operator may have it skipped: it begins with the mark of block skip.
@@ -519,8 +524,7 @@ pub struct Block {
 impl Block {
     /// Forgets what blocks before it have compared, and said of the blank.
     pub(super) fn forget_guards(&mut self) {
-        (self.guard, self.radius_guard_mm, self.plane_guard, self.blank) = (None, None, None, None);
-        self.offset_guard = false;
+        (self.guards, self.blank) = (EndedGuards::default(), None);
     }
 }
 
@@ -541,10 +545,7 @@ impl Default for Block {
             only_moves: false,
             restart: false,
             stated: 0,
-            guard: None,
-            radius_guard_mm: None,
-            plane_guard: None,
-            offset_guard: false,
+            guards: EndedGuards::default(),
             blank: None,
             skippable: false,
             own: None,

@@ -246,11 +246,11 @@ fn words_of_axes_that_roll_over_are_turned_the_way_the_control_turns_them() {
 fn a_guard_is_known_and_nothing_moves_in_it() {
     let guard = "o1 if [[ABS[#5403 - 101.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 101.5] GT 0.01]]\n(abort, no)\no1 endif";
     let wanted = Guard { length_mm: 101.5, tolerance_mm: 0.01, source: LengthSource::Spindle, stops: true };
-    assert_eq!(last(Family::LinuxCnc, guard).guard, Some(wanted));
+    assert_eq!(last(Family::LinuxCnc, guard).guards.length, Some(wanted));
     assert!(!faults(Family::LinuxCnc, &guard.replace("(abort, no)", "G0 X1")).is_empty());
     let fanuc = "IF [ABS[#11001-101.5] LT 0.01] GOTO 5\n#3000=1 (LENGTH)\nN5 G0";
     let wanted = Guard { source: LengthSource::Variable(11_001), ..wanted };
-    assert_eq!(read(Family::Fanuc, fanuc)[1].guard, Some(wanted));
+    assert_eq!(read(Family::Fanuc, fanuc)[1].guards.length, Some(wanted));
     assert!(faults(Family::Fanuc, fanuc).is_empty());
     assert!(!faults(Family::Fanuc, "#3000=1 (LENGTH)").is_empty());
 }

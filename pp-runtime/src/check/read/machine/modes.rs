@@ -125,10 +125,10 @@ impl Interpreter {
             Mode::Define(cycle) => self.motion.cycle = Some(cycle),
             Mode::CallAtEachPoint(cycle) => self.motion.each_point = cycle,
             Mode::Canned(words) => self.set_canned(words, faults),
-            Mode::Guard(guard) => block.guard = Some(guard),
-            Mode::RadiusGuard(largest_mm) => block.radius_guard_mm = Some(largest_mm),
-            Mode::PlaneGuard(guard) => block.plane_guard = Some(guard),
-            Mode::OffsetGuard => block.offset_guard = true,
+            Mode::Guard(guard) => block.guards.length = Some(guard),
+            Mode::RadiusGuard(largest_mm) => block.guards.radius_mm = Some(largest_mm),
+            Mode::PlaneGuard(guard) => block.guards.plane = Some(guard),
+            Mode::OffsetGuard => block.guards.offset = true,
             Mode::Blank(part) => block.blank = Some(part),
         }
     }

@@ -15,7 +15,7 @@ const TNC_GUARD: &str = "0 FN 18: SYSREAD QL1 = ID50 NR1 IDX12\n1 FN 18: SYSREAD
 type Changes<'a> = (Family, &'a str, &'a [(&'a str, &'a str)]);
 
 fn guards(family: Family, text: &str) -> Vec<Guard> {
-    read(family, text).into_iter().filter_map(|block| block.guard).collect()
+    read(family, text).into_iter().filter_map(|block| block.guards.length).collect()
 }
 
 #[test]
@@ -135,7 +135,7 @@ const TNC_PLANE: &str = "0 FN 20: WAIT FOR SYNC\n1 FN 18: SYSREAD QL1 = ID270 NR
 fn a_guard_of_rotary_positions_has_its_axes_and_positions() {
     for (family, text) in [(Family::Siemens, SIEMENS_PLANE), (Family::Heidenhain, TNC_PLANE)] {
         assert_eq!(faults(family, text), [""; 0], "{family:?}");
-        let guards: Vec<_> = read(family, text).into_iter().filter_map(|block| block.plane_guard).collect();
+        let guards: Vec<_> = read(family, text).into_iter().filter_map(|block| block.guards.plane).collect();
         assert_eq!(guards.len(), 1, "{family:?}");
         // C is the first axis of the chain, B the second.
         let positions = [Some((0, 30_f64.to_radians())), Some((1, -20.5_f64.to_radians()))];
