@@ -173,9 +173,9 @@ fn state_difference(block: &Block, executed: &Executed, unit: f64, supplies: u8)
     };
     let side = match other.compensation {
         None => true,
-        Some(Compensation::Off) => one.side == Some(read::Side::None),
-        Some(Compensation::Left(_)) => one.side == Some(read::Side::Left),
-        Some(Compensation::Right(_)) => one.side == Some(read::Side::Right),
+        Some(Compensation::Off) => one.side == Some(read::SideOfPath::None),
+        Some(Compensation::Left(_)) => one.side == Some(read::SideOfPath::Left),
+        Some(Compensation::Right(_)) => one.side == Some(read::SideOfPath::Right),
     };
     let tilt = match (one.tilt, other.tilted_plane()) {
         (None, None) => true,

@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::kinematics::{
-    Axis, Deviation, Dimension, Invalid, Joint, Machine, MotionBound, Pose, RotaryAngles, Solution, Unreachable,
+    Axis, Dimension, Invalid, Joint, Machine, MotionBound, Pose, RotaryAngles, RoughDeviation, Solution, Unreachable,
 };
 
 /// One solution of the inverse kinematics.
@@ -103,7 +103,7 @@ impl<M: Machine> Subject for Erased<M> {
         self.0.motion(&array::<M>(from), &array::<M>(to))
     }
     fn rough_motion(&self, from: &[f64], to: &[f64]) -> Option<MotionBound> {
-        let most = Deviation { tip: f64::INFINITY, axis: f64::INFINITY, axis_step: f64::INFINITY };
+        let most = RoughDeviation { tip: f64::INFINITY, axis: f64::INFINITY, axis_step: f64::INFINITY };
         self.0.curves(&array::<M>(from), &array::<M>(to)).rough_bound(&most)
     }
     fn rates(&self, axes: &[f64], change: &[f64]) -> (Vector3<f64>, Vector3<f64>) {

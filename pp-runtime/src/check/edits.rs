@@ -11,22 +11,22 @@ use super::read::{Action, Block, CycleKind, CycleMove, Family, FeedMode, Reader,
 use super::report::{Outcome, PermittedEdit};
 
 /// A program as it was posted.
-pub(super) struct Posted {
+pub(super) struct PostedProgram {
     /// Its text.
     pub(crate) text: Vec<u8>,
     permitted: Vec<PermittedEdit>,
-    faults: Vec<Fault>,
+    faults: Vec<EditFault>,
 }
 
 /// What is wrong with an edit, at its line.
-struct Fault {
+struct EditFault {
     line: u64,
     block: Vec<u8>,
     text: String,
 }
 
 /// Takes the edits of a program back.
-pub(super) fn take_back(program: &[u8], policy: &EditPolicy, family: Family) -> Posted {
+pub(super) fn take_back(program: &[u8], policy: &EditPolicy, family: Family) -> PostedProgram {
     let mut lines: Vec<Vec<u8>> = program.split(|byte| *byte == b'\n').map(<[u8]>::to_vec).collect();
     let (mut permitted, mut faults) = (Vec::new(), Vec::new());
     for edit in &policy.edits {
@@ -40,13 +40,13 @@ pub(super) fn take_back(program: &[u8], policy: &EditPolicy, family: Family) -> 
             }),
             // It has not been made.
             Ok(None) => {}
-            Err((line, text)) => faults.push(Fault { line, block: Vec::new(), text }),
+            Err((line, text)) => faults.push(EditFault { line, block: Vec::new(), text }),
         }
     }
-    Posted { text: lines.join(&b'\n'), permitted, faults }
+    PostedProgram { text: lines.join(&b'\n'), permitted, faults }
 }
 
-impl Posted {
+impl PostedProgram {
     /// Compares the program with what was posted, and adds the edits and what is wrong with them to the outcome of its check.
     pub(super) fn conclude(
         mut self,
@@ -58,7 +58,7 @@ impl Posted {
         let mut differences = Differences { policy, stops: false, judged: None, faults: Vec::new() };
         differences.find(edited, &self.text, vocabulary)?;
         self.faults.append(&mut differences.faults);
-        for Fault { line, block, text } in self.faults {
+        for EditFault { line, block, text } in self.faults {
             outcome.add(line, &block, &text);
         }
         outcome.permitted = self.permitted;
@@ -178,7 +178,7 @@ struct Differences<'p> {
     stops: bool,
     /// F and S, edited and posted, that have been judged.
     judged: Option<[Option<f64>; 4]>,
-    faults: Vec<Fault>,
+    faults: Vec<EditFault>,
 }
 
 impl Differences<'_> {
@@ -209,7 +209,7 @@ impl Differences<'_> {
     }
 
     fn fault(&mut self, block: &Block, text: &[u8], what: &str) {
-        self.faults.push(Fault {
+        self.faults.push(EditFault {
             line: block.line,
             block: text.to_vec(),
             text: format!("no edit of this kind is permitted: {what}"),

@@ -64,7 +64,7 @@ use crate::kinematics::{AnyMachine, Machine};
 use crate::program::Units;
 use compare::Checker;
 use policy::EditPolicy;
-use read::{Pieces, PlacedLines, Reader};
+use read::{PlacedLines, Reader, TextPieces};
 
 /// The reason why a program could not be checked.
 #[derive(Debug, thiserror::Error)]
@@ -148,7 +148,7 @@ pub(crate) fn check_data(
     machine: &dyn AnyMachine,
     policy: &CheckPolicy,
     data: &mut dyn ClData,
-    program: &mut dyn Pieces,
+    program: &mut dyn TextPieces,
     mut observer: Option<&mut dyn Observer>,
 ) -> Result<Checked, CheckError> {
     if !policy.edits.edits.is_empty() {
@@ -179,7 +179,7 @@ fn check_edited(
     machine: &dyn AnyMachine,
     policy: &CheckPolicy,
     data: &mut dyn ClData,
-    program: &mut dyn Pieces,
+    program: &mut dyn TextPieces,
     observer: Option<&mut dyn Observer>,
 ) -> Result<Checked, CheckError> {
     let (mut edited, mut piece) = (Vec::new(), Vec::new());
@@ -218,7 +218,7 @@ pub fn blocks_for(
     mut program: &mut dyn Read,
 ) -> Result<Vec<read::Block>, CheckError> {
     let units: Units = policy.output_units.or(policy.reading.units).unwrap_or_default();
-    let mut reader = Reader::new(&mut program as &mut dyn Pieces, vocabulary::vocabulary(machine, policy, units));
+    let mut reader = Reader::new(&mut program as &mut dyn TextPieces, vocabulary::vocabulary(machine, policy, units));
     let mut blocks = Vec::new();
     while let Some((block, _)) = reader.next_block().map_err(CheckError::Program)? {
         blocks.push(block.clone());

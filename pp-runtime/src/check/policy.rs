@@ -39,7 +39,7 @@ pub struct CheckPolicy {
     /// Meaning of the words.
     pub words: WordPolicy,
     /// Number of decimals of the words.
-    pub digits: Digits,
+    pub digits: Decimals,
     /// Largest deviations.
     pub tolerances: Tolerances,
     /// Motion between cuts.
@@ -172,7 +172,7 @@ pub struct WordPolicy {
 
 /// Number of decimals of the words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Digits {
+pub struct Decimals {
     /// Linear words in mm.
     pub linear_mm: u32,
     /// Linear words in inches.
@@ -195,7 +195,7 @@ pub struct Digits {
     pub inverse_time: u32,
 }
 
-impl Digits {
+impl Decimals {
     /// Number of decimals of a linear word.
     #[must_use]
     pub const fn linear(&self, units: Units) -> u32 {

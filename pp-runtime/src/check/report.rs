@@ -38,7 +38,7 @@ pub struct Finding {
 }
 
 impl Finding {
-    fn new(at: Location, shown: Shown<'_>, cause: &str, help: Option<&str>) -> Self {
+    fn new(at: Location, shown: ShownBlock<'_>, cause: &str, help: Option<&str>) -> Self {
         // Text between backquotes does not count in the comparison of causes, so the block must not hold one.
         let block = String::from_utf8_lossy(&shown.text[..shown.text.len().min(SHOWN_BYTES)])
             .replace('`', "'")
@@ -145,7 +145,7 @@ impl Display for PermittedEdit {
 impl Outcome {
     /// Adds a finding about a line of the program.
     pub(super) fn add(&mut self, line: u64, block: &[u8], cause: &str) {
-        self.findings.push(Finding::new(Location::default(), Shown { line, text: block }, cause, None));
+        self.findings.push(Finding::new(Location::default(), ShownBlock { line, text: block }, cause, None));
         self.count += 1;
     }
 
@@ -207,7 +207,7 @@ fn short(value: f64) -> String {
 
 /// A block as shown in a finding: its line in the program and its text.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Shown<'t> {
+pub(super) struct ShownBlock<'t> {
     pub(crate) line: u64,
     pub(crate) text: &'t [u8],
 }
@@ -220,14 +220,14 @@ pub(super) struct Tally {
     /// Position in `causes` by text without numbers.
     by_text: HashMap<String, usize>,
     /// Faults of the last block, which the next one may have, too.
-    runs: Vec<Run>,
+    runs: Vec<FaultRun>,
     /// Largest deviations of the tip at the end of a block and along one, mm, without those of the block at hand.
     put_aside: (f64, f64),
 }
 
 /// One fault of several blocks in a row.
 #[derive(Debug, Clone)]
-struct Run {
+struct FaultRun {
     found: Finding,
     kind: String,
     /// Number of the last motion that has it.
@@ -315,7 +315,7 @@ impl Tally {
     }
 
     /// Adds a finding about a point outside the limits of an axis.
-    pub(super) fn outside_limits(&mut self, at: Location, shown: Shown<'_>, text: &str) {
+    pub(super) fn outside_limits(&mut self, at: Location, shown: ShownBlock<'_>, text: &str) {
         self.outcome.outside_limits += u64::from(self.compares());
         self.found(at, shown, text);
     }
@@ -323,11 +323,11 @@ impl Tally {
     /// Adds a finding about a block; blocks in a row with the same fault are one finding. `at`: the CL record that the block should
     /// carry out.
     #[cold]
-    pub(super) fn found(&mut self, at: Location, shown: Shown<'_>, cause: &str) {
+    pub(super) fn found(&mut self, at: Location, shown: ShownBlock<'_>, cause: &str) {
         self.found_in_run(at, shown, cause, without_numbers(cause, |quoted| quoted));
     }
 
-    fn found_in_run(&mut self, at: Location, shown: Shown<'_>, cause: &str, kind: String) {
+    fn found_in_run(&mut self, at: Location, shown: ShownBlock<'_>, cause: &str, kind: String) {
         if !self.compares() {
             return;
         }
@@ -343,7 +343,7 @@ impl Tally {
             let run = self.runs.remove(0);
             self.add(run.found.with_text());
         }
-        self.runs.push(Run { found: Finding::new(at, shown, cause, None), kind, last: number });
+        self.runs.push(FaultRun { found: Finding::new(at, shown, cause, None), kind, last: number });
     }
 
     /// Ends the runs that the block before this motion does not have.
@@ -356,7 +356,7 @@ impl Tally {
 
     /// Adds a finding that every block until the next tool change repeats: the first is listed, the others are counted.
     #[cold]
-    pub(super) fn found_once(&mut self, at: Location, shown: Shown<'_>, cause: &str) {
+    pub(super) fn found_once(&mut self, at: Location, shown: ShownBlock<'_>, cause: &str) {
         if self.compares() {
             self.outcome.count += 1;
             self.add_to(cause.to_owned(), 1, Finding::new(at, shown, cause, None));
@@ -365,7 +365,7 @@ impl Tally {
 
     /// Adds a finding about a block that matches nothing; such blocks in a row are one finding, whatever each of them lacks.
     #[cold]
-    pub(super) fn found_lost(&mut self, at: Location, shown: Shown<'_>, cause: &str) {
+    pub(super) fn found_lost(&mut self, at: Location, shown: ShownBlock<'_>, cause: &str) {
         self.found_in_run(at, shown, cause, LOST.to_owned());
     }
 

@@ -91,21 +91,21 @@ pub(super) struct Batch {
     /// Number of events, in the first places.
     count: usize,
     text: Vec<u8>,
-    curve: Curve,
+    curve: OwnedCurve,
     /// After the last event of all: the facts about the file, or why no more can be read.
     end: Option<io::Result<FileFacts>>,
 }
 
 /// A curve that borrows nothing; without points there is none.
 #[derive(Debug)]
-struct Curve {
+struct OwnedCurve {
     knots: Vec<f64>,
     points: Vec<Point3<f64>>,
     axis: UnitVector3<f64>,
     feed: Option<Feed>,
 }
 
-impl Default for Curve {
+impl Default for OwnedCurve {
     fn default() -> Self {
         Self { knots: Vec::new(), points: Vec::new(), axis: Vector3::z_axis(), feed: None }
     }
@@ -177,7 +177,7 @@ impl Batch {
         let event = match queued {
             QueuedEvent::Plain(event) => event,
             _ => {
-                let Curve { knots, points, axis, feed } = &self.curve;
+                let OwnedCurve { knots, points, axis, feed } = &self.curve;
                 let curve = Spline { knots, points, axis: *axis, feed: *feed };
                 with_text = queued.event(&self.text, options, KeptForEvents { curve, name: &[] });
                 &with_text

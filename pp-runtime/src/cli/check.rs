@@ -12,12 +12,12 @@ use crate::kinematics::AnyMachine;
 use super::args::{CheckArgs, MessageFormat};
 use super::cl_source::ClSource;
 use super::inputs::{open_cl_data, read_config, read_edits, show_progress};
-use super::messages::Messages;
+use super::messages::MessageWriter;
 use super::outcome::{Failure, Status, Streams, is_standard, print};
 
 /// The figures of a check as JSON.
 #[derive(Serialize)]
-struct Figures {
+struct CheckFigures {
     passed: bool,
     findings: u64,
     blocks: u64,
@@ -35,7 +35,7 @@ struct Figures {
 }
 
 pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
-    let mut messages = Messages::new(streams.errors, args.format());
+    let mut messages = MessageWriter::new(streams.errors, args.format());
     let mut config = read_config(machine, &args.set_up, &mut messages)?;
     if let Some(path) = &args.edits {
         let mut edits = read_edits(machine, path, &mut messages)?;
@@ -92,7 +92,7 @@ pub(crate) fn report(
     name: &str,
     source: &mut ClSource,
     program: Option<&str>,
-    messages: &mut Messages<'_>,
+    messages: &mut MessageWriter<'_>,
 ) -> io::Result<()> {
     if let Some(fault) = &checked.fault {
         source.rewind()?;
@@ -105,9 +105,9 @@ pub(crate) fn report(
     Ok(())
 }
 
-fn figures(checked: &Checked, passed: bool) -> Figures {
+fn figures(checked: &Checked, passed: bool) -> CheckFigures {
     let outcome = &checked.outcome;
-    Figures {
+    CheckFigures {
         passed,
         findings: outcome.count,
         blocks: outcome.blocks,

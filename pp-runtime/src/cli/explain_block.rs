@@ -15,7 +15,7 @@ use super::args::{BlockName, ExplainBlockArgs, MessageFormat};
 use super::excerpt::excerpts;
 use super::inputs::{open_cl_data, read_config};
 use super::map::{MapEntry, axis_values, branch_number};
-use super::messages::Messages;
+use super::messages::MessageWriter;
 use super::outcome::{Failure, Status, Streams, print};
 use super::posting::{PostFn, PostRun};
 use super::self_check::Checking;
@@ -98,7 +98,7 @@ pub(crate) fn run(
     post: PostFn<'_>,
 ) -> Result<Status, Failure> {
     let format = args.set_up.message_format;
-    let config = read_config(machine, &args.set_up, &mut Messages::new(streams.errors, format))?;
+    let config = read_config(machine, &args.set_up, &mut MessageWriter::new(streams.errors, format))?;
     let mut source = open_cl_data(&args.input, &args.set_up, streams.input)?;
     let (name, control) = (source.name().to_owned(), args.set_up.control());
     let numbered = config.control.program.line_numbers.are_on_every_block() || control.spellings().numbers_every_line;
@@ -109,7 +109,7 @@ pub(crate) fn run(
     let run = PostRun { input: &args.input, output, checking, config: &config, control, post };
     // Messages about the program were written when it was posted; they are repeated only if it was rejected.
     let mut repeated = Vec::new();
-    let mut messages = Messages::new(&mut repeated, format);
+    let mut messages = MessageWriter::new(&mut repeated, format);
     let written = run.write(machine, &mut source, &mut program, Some(&mut search), &mut messages)?;
     let rejected = written.summary.is_err();
     if rejected {
@@ -146,7 +146,7 @@ pub(crate) fn run(
     })?;
     let more = search.count - search.found.len();
     if more > 0 {
-        Messages::new(streams.errors, format).note(&format!("{more} more blocks have this number"));
+        MessageWriter::new(streams.errors, format).note(&format!("{more} more blocks have this number"));
     }
     Ok(if rejected { Status::Rejected } else { Status::Done })
 }

@@ -12,7 +12,7 @@ use crate::kinematics::AnyMachine;
 
 use super::args::{MessageFormat, NamedFile, SetUpArgs};
 use super::cl_source::{ClSource, LONG_INPUT_BYTES, same_file};
-use super::messages::Messages;
+use super::messages::MessageWriter;
 use super::outcome::{Failure, is_standard};
 
 /// Largest configuration or tool table, bytes: some ten thousand tools.
@@ -23,7 +23,7 @@ const LARGEST_TEXT: u64 = 1 << 20;
 pub(crate) fn read_config(
     machine: &dyn AnyMachine,
     args: &SetUpArgs,
-    messages: &mut Messages<'_>,
+    messages: &mut MessageWriter<'_>,
 ) -> Result<Config, Failure> {
     let mut config = read_config_file(machine, args.config.as_deref(), args.control(), messages)?;
     args.apply(machine, &mut config).map_err(Failure::Argument)?;
@@ -42,7 +42,7 @@ pub(crate) fn read_config_file(
     machine: &dyn AnyMachine,
     path: Option<&Path>,
     control: &dyn Control,
-    messages: &mut Messages<'_>,
+    messages: &mut MessageWriter<'_>,
 ) -> Result<Config, Failure> {
     let start = config::starting_point(control);
     match path {
@@ -70,7 +70,7 @@ pub(crate) fn read_config_file(
 pub(crate) fn read_edits(
     machine: &dyn AnyMachine,
     path: &Path,
-    messages: &mut Messages<'_>,
+    messages: &mut MessageWriter<'_>,
 ) -> Result<EditOptions, Failure> {
     let text = read_text(path, "list of edits")?;
     config::read_edits(machine, &text).map_err(|faults| {

@@ -11,7 +11,7 @@ use crate::transformation::{NotExpressible, c_header, compare_sheet, identifier,
 
 use super::args::{KinematicsArgs, MessageFormat, Target};
 use super::inputs::{read_config_file, refuse_overwriting};
-use super::messages::Messages;
+use super::messages::MessageWriter;
 use super::outcome::{Failure, Status, Streams, is_standard, print};
 use super::output_file::OutputFile;
 
@@ -21,7 +21,7 @@ pub(crate) fn run(
     args: &KinematicsArgs,
     streams: &mut Streams<'_>,
 ) -> Result<Status, Failure> {
-    let mut messages = Messages::new(streams.errors, MessageFormat::Human);
+    let mut messages = MessageWriter::new(streams.errors, MessageFormat::Human);
     let control = match args.target() {
         Target::Sheet(sheet) => by_name(sheet.name()),
         Target::C | Target::LinuxCnc => None,

@@ -7,7 +7,7 @@ use clap_complete::Shell;
 use clap_mangen::Man;
 
 use super::args::MessageFormat;
-use super::messages::Messages;
+use super::messages::MessageWriter;
 use super::outcome::{Failure, Status, Streams, print};
 
 /// Prints the completions of a shell.
@@ -34,6 +34,6 @@ pub(crate) fn pages(
     let failed = |error| Failure::unwritable(folder, error);
     fs::create_dir_all(folder).map_err(failed)?;
     clap_mangen::generate_to(definition, folder).map_err(failed)?;
-    Messages::new(streams.errors, MessageFormat::Human).note(&format!("manual pages are in {}", folder.display()));
+    MessageWriter::new(streams.errors, MessageFormat::Human).note(&format!("manual pages are in {}", folder.display()));
     Ok(Status::Done)
 }

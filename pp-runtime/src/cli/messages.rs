@@ -16,7 +16,7 @@ use super::args::MessageFormat;
 use super::excerpt::{Excerpt, WIDTH, excerpts, visible};
 
 /// Writes messages in the format of `--message-format`.
-pub(crate) struct Messages<'a> {
+pub(crate) struct MessageWriter<'a> {
     out: &'a mut dyn Write,
     format: MessageFormat,
 }
@@ -48,7 +48,7 @@ struct JsonLines<'a> {
     block: &'a str,
 }
 
-impl<'a> Messages<'a> {
+impl<'a> MessageWriter<'a> {
     pub(crate) fn new(out: &'a mut dyn Write, format: MessageFormat) -> Self {
         Self { out, format }
     }

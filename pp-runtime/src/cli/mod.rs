@@ -55,7 +55,7 @@ pub use outcome::{Status, Streams};
 
 use args::{Command, MessageFormat, ProofArgs};
 use inputs::{read_config_file, refuse_unfit};
-use messages::Messages;
+use messages::MessageWriter;
 use outcome::{Failure, print};
 use posting::PostFn;
 
@@ -131,7 +131,7 @@ fn execute(
         Command::Man(args) => manual::pages(definition(), args.output.as_deref(), &mut streams),
     };
     result.unwrap_or_else(|failure| {
-        let mut messages = Messages::new(streams.errors, format);
+        let mut messages = MessageWriter::new(streams.errors, format);
         match failure {
             Failure::Reported => {}
             Failure::Arguments(reasons) => reasons.iter().for_each(|reason| messages.error(reason)),
@@ -162,7 +162,7 @@ fn print_usage(machine: &dyn AnyMachine, error: &clap::Error, streams: &mut Stre
 fn print_drawing(machine: &dyn AnyMachine, args: &ProofArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
     let mut measured = machine.to_boxed();
     if args.config.is_some() {
-        let mut messages = Messages::new(streams.errors, MessageFormat::Human);
+        let mut messages = MessageWriter::new(streams.errors, MessageFormat::Human);
         let config = read_config_file(machine, args.config.as_deref(), args.control(), &mut messages)?;
         measured = config.set_up.machine_for(machine).map_err(|invalid| Failure::Argument(invalid.to_string()))?;
     }
@@ -176,7 +176,7 @@ fn print_proof_program(
     args: &ProofArgs,
     streams: &mut Streams<'_>,
 ) -> Result<Status, Failure> {
-    let mut messages = Messages::new(streams.errors, MessageFormat::Human);
+    let mut messages = MessageWriter::new(streams.errors, MessageFormat::Human);
     let config = read_config_file(machine, args.config.as_deref(), args.control(), &mut messages)?;
     refuse_unfit(machine, args.control(), &config)?;
     let proof = Proof { config: &config, control: args.control(), tool: args.tool, point_mm: args.point_mm };

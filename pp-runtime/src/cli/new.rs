@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::args::{MessageFormat, NewArgs};
-use super::messages::Messages;
+use super::messages::MessageWriter;
 use super::outcome::{Failure, Status, Streams};
 
 /// Files of the template, as `cargo generate` reads them too.
@@ -59,7 +59,7 @@ pub(crate) fn run(args: &NewArgs, streams: &mut Streams<'_>) -> Result<Status, F
         let _ = fs::remove_dir_all(&args.folder);
         return Err(failure);
     }
-    let mut messages = Messages::new(streams.errors, MessageFormat::Human);
+    let mut messages = MessageWriter::new(streams.errors, MessageFormat::Human);
     messages
         .note(&format!("{} is the postprocessor `{name}`; its README.md has the next steps", args.folder.display()));
     messages.note("these two commands post its sample and test its kinematics:");

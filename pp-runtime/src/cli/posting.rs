@@ -17,7 +17,7 @@ use super::check;
 use super::cl_source::{ClSource, same_file};
 use super::inputs::{self, cl_file, cl_name, open_cl_data, posting_passes, read_config, show_progress};
 use super::map::{EndBuffer, MapFile, MapWriter};
-use super::messages::{Messages, headline};
+use super::messages::{MessageWriter, headline};
 use super::outcome::{Failure, Status, Streams, is_standard};
 use super::output_file::{OutputFile, Rejected, rejected_path};
 use super::self_check::{self, CheckedOutput, Checking, SelfCheck, SelfChecked};
@@ -82,7 +82,7 @@ pub(crate) trait AfterPosting {
         machine: &dyn AnyMachine,
         run: &PostRun<'_>,
         source: &mut ClSource,
-        messages: &mut Messages<'_>,
+        messages: &mut MessageWriter<'_>,
     ) -> Result<Finished, Failure>;
 }
 
@@ -102,7 +102,7 @@ pub(crate) fn run(
     streams: &mut Streams<'_>,
     post: PostFn<'_>,
 ) -> Result<Status, Failure> {
-    let mut messages = Messages::new(streams.errors, args.set_up.message_format);
+    let mut messages = MessageWriter::new(streams.errors, args.set_up.message_format);
     let config = read_config(machine, &args.set_up, &mut messages)?;
     refuse_overwriting(args, &config)?;
     let mut after = after_posting(&config, args)?;
@@ -158,7 +158,7 @@ pub(crate) fn run(
         page_part = Some(part);
     }
     page.as_ref().map_or(Ok(()), PageFile::clear)?;
-    let mut write_page = |messages: &mut Messages<'_>, written: Written| {
+    let mut write_page = |messages: &mut MessageWriter<'_>, written: Written| {
         let Some(page) = page.take() else { return Ok(()) };
         show_progress(&mut source, streams.terminal, &args.set_up, viewing_passes(&written));
         let path = page.finish(machine, &run, None, &mut source, written, page_part.as_deref())?;
@@ -216,7 +216,7 @@ impl PostRun<'_> {
         source: &mut ClSource,
         out: &mut dyn Write,
         line_map: Option<&mut dyn LineMap>,
-        messages: &mut Messages<'_>,
+        messages: &mut MessageWriter<'_>,
     ) -> Result<Written, Failure> {
         let Self { output, config, control, .. } = *self;
         let name = source.name().to_owned();
@@ -312,7 +312,7 @@ fn reject(
     args: &PostArgs,
     target: Option<OutputFile>,
     reason: &str,
-    messages: &mut Messages<'_>,
+    messages: &mut MessageWriter<'_>,
 ) -> Result<(), Failure> {
     let Some(target) = target else {
         messages.note("rejected: the program on standard output is incomplete and must not be run");

@@ -10,7 +10,7 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 
 use crate::check::policy::EditPolicy;
-use crate::check::read::Pieces;
+use crate::check::read::TextPieces;
 use crate::check::{CheckError, CheckPolicy, Checked, Finding, check_data};
 use crate::config::Config;
 use crate::kinematics::AnyMachine;
@@ -19,7 +19,7 @@ use crate::view::Execution;
 
 use super::check::report;
 use super::cl_source::ClSource;
-use super::messages::{Messages, headline};
+use super::messages::{MessageWriter, headline};
 use super::outcome::Failure;
 
 /// Bytes of a piece.
@@ -135,7 +135,7 @@ pub(crate) fn rejection(
     checked: Option<&Checked>,
     name: &str,
     source: &mut ClSource,
-    messages: &mut Messages<'_>,
+    messages: &mut MessageWriter<'_>,
 ) -> Option<String> {
     let checked = checked?;
     let findings = checked.outcome.findings.first().map(Finding::diagnostic);
@@ -149,7 +149,7 @@ pub(crate) fn rejection(
 /// The pieces as they come.
 struct Handed(Receiver<Vec<u8>>);
 
-impl Pieces for Handed {
+impl TextPieces for Handed {
     fn next_piece(&mut self, piece: &mut Vec<u8>) -> io::Result<()> {
         *piece = self.0.recv().unwrap_or_default();
         Ok(())

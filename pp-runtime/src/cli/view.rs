@@ -16,7 +16,7 @@ use super::args::{NamedFile, ReportArgs, ReportFile, SetUpArgs, ViewArgs};
 use super::check;
 use super::cl_source::ClSource;
 use super::inputs::{cl_file, cl_name, open_cl_data, posting_passes, read_config, refuse_overwriting, show_progress};
-use super::messages::{Messages, headline};
+use super::messages::{MessageWriter, headline};
 use super::outcome::{Failure, Status, Streams, is_standard};
 use super::output_file::OutputFile;
 use super::posting::{PostFn, PostRun, Written};
@@ -40,7 +40,7 @@ struct Request<'a> {
 }
 
 /// A file that shows a program.
-struct Output<'a> {
+struct ViewFile<'a> {
     path: &'a Path,
     /// What it holds.
     what: &'static str,
@@ -73,10 +73,10 @@ pub(crate) fn run(
         return Err(Failure::Argument("--open needs a file: give `-o OUT.html`".to_owned()));
     }
     let svg = |program: &ViewedProgram<'_>, out: &mut dyn Write| out.write_all(path_and_axes(program)?.as_bytes());
-    let outputs: Vec<Output<'_>> = page
+    let outputs: Vec<ViewFile<'_>> = page
         .iter()
-        .map(|path| Output { path, what: "page", write: &write_page })
-        .chain(args.svg.iter().map(|path| Output { path, what: "pictures", write: &svg }))
+        .map(|path| ViewFile { path, what: "page", write: &write_page })
+        .chain(args.svg.iter().map(|path| ViewFile { path, what: "pictures", write: &svg }))
         .collect();
     let request = Request { input: &args.input, program: args.program.as_deref(), set_up: &args.set_up };
     let status = show(machine, &request, streams, post, &outputs)?;
@@ -108,7 +108,7 @@ pub(crate) fn report(
     let ReportFile { path, form } = &args.output;
     let write = |program: &ViewedProgram<'_>, out: &mut dyn Write| write_report(program, *form, args.jog, out);
     let request = Request { input: &args.input, program: None, set_up: &args.set_up };
-    show(machine, &request, streams, post, &[Output { path, what: "set-up sheet", write: &write }])
+    show(machine, &request, streams, post, &[ViewFile { path, what: "set-up sheet", write: &write }])
 }
 
 /// Posts or reads a program, executes it, and writes what is shown of it.
@@ -117,10 +117,10 @@ fn show(
     request: &Request<'_>,
     streams: &mut Streams<'_>,
     post: PostFn<'_>,
-    outputs: &[Output<'_>],
+    outputs: &[ViewFile<'_>],
 ) -> Result<Status, Failure> {
     let Request { input, program, set_up } = *request;
-    let mut messages = Messages::new(streams.errors, set_up.message_format);
+    let mut messages = MessageWriter::new(streams.errors, set_up.message_format);
     let config = read_config(machine, set_up, &mut messages)?;
     let read: Vec<NamedFile<'_>> =
         program.map(|program| (program, "program")).into_iter().chain(cl_file(input)).collect();
@@ -128,7 +128,7 @@ fn show(
         outputs.iter().filter(|output| !is_standard(output.path)).map(|output| (output.path, output.what)).collect();
     refuse_overwriting((set_up.config.as_deref(), &config), &read, &files)?;
     let mut source = open_cl_data(input, set_up, streams.input)?;
-    let create = |output: &Output<'_>| -> Result<Option<OutputFile>, Failure> {
+    let create = |output: &ViewFile<'_>| -> Result<Option<OutputFile>, Failure> {
         let file = (!is_standard(output.path)).then(|| OutputFile::create(output.path));
         file.transpose().map_err(|error| Failure::unwritable(output.path, error))
     };
@@ -173,15 +173,15 @@ pub(crate) fn posted(
     run: &PostRun<'_>,
     program: Option<&Path>,
     source: &mut ClSource,
-    messages: &mut Messages<'_>,
+    messages: &mut MessageWriter<'_>,
 ) -> Result<(Posted, Written), Failure> {
     let given = program.map(|path| fs::read(path).map_err(|error| Failure::unreadable(path, error))).transpose()?;
     let mut posted = Posted::default();
     // Of a program that is given only its own faults count; those of the CL data come with it.
     let mut nobody = io::sink();
-    let mut unheard = Messages::new(&mut nobody, messages.format());
+    let mut unheard = MessageWriter::new(&mut nobody, messages.format());
     let mut write =
-        |heard: &mut Messages<'_>| run.write(machine, source, &mut posted.text, Some(&mut posted.reasons), heard);
+        |heard: &mut MessageWriter<'_>| run.write(machine, source, &mut posted.text, Some(&mut posted.reasons), heard);
     let written = if given.is_some() { write(&mut unheard)? } else { write(messages)? };
     if let Some(text) = given {
         posted = Posted { reasons: posted.reasons.carried_over(&posted.text, &text), text };

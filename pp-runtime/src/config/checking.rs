@@ -2,9 +2,9 @@
 
 use crate::check::faults_of_lines;
 use crate::check::policy::{
-    CheckPolicy, Digits, FeedPath, FeedPolicy, LinearMeaning, LinkPolicy, OperationRule, OperationSelection, RapidForm,
-    RetractRule, RolloverRule, RuledOperation, ShopBlocks, ShopLine, SmoothingLevel, StateDefaults, StopRule, TipFrame,
-    Tolerances, WordPolicy,
+    CheckPolicy, Decimals, FeedPath, FeedPolicy, LinearMeaning, LinkPolicy, OperationRule, OperationSelection,
+    RapidForm, RetractRule, RolloverRule, RuledOperation, ShopBlocks, ShopLine, SmoothingLevel, StateDefaults,
+    StopRule, TipFrame, Tolerances, WordPolicy,
 };
 use crate::check::read::{Effect, Family, OwnPlace, coolant};
 use crate::cl::{ReadingOptions, StatedTool};
@@ -135,9 +135,9 @@ impl Config {
         }
     }
 
-    fn digits(&self) -> Digits {
+    fn digits(&self) -> Decimals {
         let formats = &self.formats;
-        Digits {
+        Decimals {
             linear_mm: formats.linear(Units::Millimetres),
             linear_inch: formats.linear(Units::Inches),
             rotary: formats.rotary,

@@ -8,7 +8,7 @@ use serde_json::{Map, Value as Json, json};
 use crate::kinematics::{Axis, AxisKind};
 
 use super::list::{Printed, printed_degrees, printed_number};
-use super::reader::{Bound, KeyReader, Quantity, TomlValue};
+use super::reader::{Bound, KeyReader, QuantityKind, TomlValue};
 use super::{KeyKind, KeyScope};
 
 /// Axes that a table may name.
@@ -138,8 +138,8 @@ pub(crate) fn letters(axes: &[Axis], wanted: impl Fn(&Axis) -> bool) -> String {
 /// Reads a position or speed of an axis: mm, rad, or these per minute.
 pub(crate) fn along(r: &mut KeyReader<'_>, axis: &Axis, value: TomlValue<'_>, bound: Bound) -> Option<f64> {
     match axis.kind {
-        AxisKind::Linear => r.number(value, Quantity::Length, bound),
-        AxisKind::Rotary => r.number(value, Quantity::Angle, bound),
+        AxisKind::Linear => r.number(value, QuantityKind::Length, bound),
+        AxisKind::Rotary => r.number(value, QuantityKind::Angle, bound),
     }
 }
 

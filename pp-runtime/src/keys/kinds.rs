@@ -5,13 +5,13 @@ use std::ops::RangeInclusive;
 use serde_json::{Value as Json, json};
 
 use super::list::{printed_degrees, printed_number};
-use super::reader::{Bound, KeyReader, Quantity, TomlValue};
+use super::reader::{Bound, KeyReader, QuantityKind, TomlValue};
 use super::{KeyKind, KeyScope};
 
 /// Kind of key: a number, read as mm, as rad, or without conversion.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Measure {
-    quantity: Quantity,
+    quantity: QuantityKind,
     bound: Bound,
     /// Additional rule: returns the fault of a number that breaks it.
     fault: fn(f64) -> Option<String>,
@@ -20,17 +20,17 @@ pub(crate) struct Measure {
 impl Measure {
     /// A length or a speed: mm, mm/min.
     pub(crate) const fn length(bound: Bound) -> Self {
-        Self { quantity: Quantity::Length, bound, fault: |_| None }
+        Self { quantity: QuantityKind::Length, bound, fault: |_| None }
     }
 
     /// An angle or a rotary speed: rad, rad/min; degrees in a file.
     pub(crate) const fn angle(bound: Bound) -> Self {
-        Self { quantity: Quantity::Angle, bound, fault: |_| None }
+        Self { quantity: QuantityKind::Angle, bound, fault: |_| None }
     }
 
     /// A number without conversion: rev/min, seconds.
     pub(crate) const fn plain(bound: Bound) -> Self {
-        Self { quantity: Quantity::Plain, bound, fault: |_| None }
+        Self { quantity: QuantityKind::Plain, bound, fault: |_| None }
     }
 
     /// Adds a rule, which returns the fault of a number that breaks it.
@@ -44,8 +44,8 @@ impl KeyKind for Measure {
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<f64> {
         let number = match self.quantity {
-            Quantity::Length => r.length(value, self.bound),
-            Quantity::Angle | Quantity::Plain => r.number(value, self.quantity, self.bound),
+            QuantityKind::Length => r.length(value, self.bound),
+            QuantityKind::Angle | QuantityKind::Plain => r.number(value, self.quantity, self.bound),
         };
         if let Some(fault) = number.and_then(self.fault) {
             r.fault(value.span(), fault, None);
@@ -55,8 +55,8 @@ impl KeyKind for Measure {
 
     fn print(&self, value: &f64) -> String {
         match self.quantity {
-            Quantity::Length | Quantity::Plain => printed_number(*value),
-            Quantity::Angle => printed_degrees(*value),
+            QuantityKind::Length | QuantityKind::Plain => printed_number(*value),
+            QuantityKind::Angle => printed_degrees(*value),
         }
     }
 

@@ -17,7 +17,7 @@ use serde_json::Value as Json;
 pub(crate) use axes::{AxisEntry, AxisSet, PerAxis, along, letters, printed_along, solved};
 pub(crate) use kinds::{Assumed, Blocks, LengthPoint, ListOf, Measure, OneLine, OneOf, Whole, YesNo};
 pub(crate) use list::{KeyList, KeyRow, Printed, example_entries, printed_degrees, printed_number};
-pub(crate) use reader::{Bound, KeyReader, Quantity, TomlValue, list, nearest};
+pub(crate) use reader::{Bound, KeyReader, QuantityKind, TomlValue, list, nearest};
 pub(crate) use table::KeyTable;
 
 use crate::kinematics::{AnyMachine, Axis, Dimension};

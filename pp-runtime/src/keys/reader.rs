@@ -38,7 +38,7 @@ pub(crate) enum Bound {
 
 /// Quantity that a number measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Quantity {
+pub(crate) enum QuantityKind {
     /// No conversion: rev/min, seconds.
     Plain,
     /// Length in the unit of the file, or speed in that unit per minute.
@@ -217,12 +217,12 @@ impl<'t> KeyReader<'t> {
     }
 
     /// Reads a number of a plausible size and converts it to mm or rad, or leaves it.
-    pub(crate) fn number(&mut self, value: TomlValue<'_>, quantity: Quantity, bound: Bound) -> Option<f64> {
+    pub(crate) fn number(&mut self, value: TomlValue<'_>, quantity: QuantityKind, bound: Bound) -> Option<f64> {
         let number = self.as_written(value, quantity, bound)?;
         Some(match quantity {
-            Quantity::Plain => number,
-            Quantity::Angle => number.to_radians(),
-            Quantity::Length => {
+            QuantityKind::Plain => number,
+            QuantityKind::Angle => number.to_radians(),
+            QuantityKind::Length => {
                 self.lengths = true;
                 number * self.units.in_mm()
             }
@@ -231,11 +231,11 @@ impl<'t> KeyReader<'t> {
 
     /// Reads an angle, degrees.
     pub(crate) fn degrees(&mut self, value: TomlValue<'_>) -> Option<f64> {
-        self.as_written(value, Quantity::Angle, Bound::Any)
+        self.as_written(value, QuantityKind::Angle, Bound::Any)
     }
 
     /// Reads a number of a plausible size, in the unit of the file.
-    fn as_written(&mut self, value: TomlValue<'_>, quantity: Quantity, bound: Bound) -> Option<f64> {
+    fn as_written(&mut self, value: TomlValue<'_>, quantity: QuantityKind, bound: Bound) -> Option<f64> {
         let read = match value.get_ref() {
             DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse::<f64>().ok(),
             DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
@@ -252,8 +252,8 @@ impl<'t> KeyReader<'t> {
             Bound::NotNegative if number < 0.0 => "a number that is not negative is needed here".to_owned(),
             Bound::Positive if number <= 0.0 => "a number above zero is needed here".to_owned(),
             Bound::Positive if number < SMALLEST => format!("at least {SMALLEST} is needed here"),
-            _ if quantity == Quantity::Plain || number.abs() <= LARGEST => return Some(number),
-            _ if quantity == Quantity::Angle => format!("at most {LARGEST} degrees are needed here"),
+            _ if quantity == QuantityKind::Plain || number.abs() <= LARGEST => return Some(number),
+            _ if quantity == QuantityKind::Angle => format!("at most {LARGEST} degrees are needed here"),
             _ => format!("at most {LARGEST} is needed here"),
         };
         self.fault(value.span(), wrong, None);
@@ -262,7 +262,7 @@ impl<'t> KeyReader<'t> {
 
     /// Reads a plausible length, mm.
     pub(crate) fn length(&mut self, value: TomlValue<'_>, bound: Bound) -> Option<f64> {
-        let length = self.number(value, Quantity::Length, bound)?;
+        let length = self.number(value, QuantityKind::Length, bound)?;
         if length.abs() > LONGEST_MM {
             let metres = length.abs() / 1000.0;
             let help = format!("the unit of this file is `{}`", self.units.name());

@@ -21,10 +21,10 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use super::words::Words;
+use super::words::PoseWords;
 use super::{
-    Axis, AxisKind, BlockCurves, BlockDeviation, CSource, Deviation, Dimension, Explanation, Invalid, Joint, Machine,
-    MotionBound, Pose, RotaryAngles, Side, Solutions, Unreachable,
+    Axis, AxisKind, BlockCurves, BlockDeviation, CSource, Dimension, Explanation, Invalid, Joint, Machine, MotionBound,
+    Pose, RotaryAngles, RoughDeviation, Side, Solutions, Unreachable,
 };
 
 /// Most axes that a chain can have: X Y Z U V W A B C.
@@ -37,7 +37,7 @@ pub type AxisValues = [f64; MAX_AXES];
 ///
 /// Each method does what the method or constant of that name does in [`Machine`]; axis values have a fixed length. No other
 /// crate can implement it: `Words` is not public.
-pub trait AnyMachine: Words + Send + Sync {
+pub trait AnyMachine: PoseWords + Send + Sync {
     /// [`Machine::NAME`].
     fn name(&self) -> &'static str;
     /// [`Machine::AXES`]; at most [`MAX_AXES`] of them.
@@ -97,7 +97,7 @@ pub trait AnyMachine: Words + Send + Sync {
     /// [`Machine::motion`].
     fn motion(&self, from: &AxisValues, to: &AxisValues) -> MotionBound;
     /// Whether a rough bound of the deviation of a block is below `most`; where it is not, [`Machine::motion`].
-    fn motion_within(&self, from: &AxisValues, to: &AxisValues, most: &Deviation) -> BlockDeviation;
+    fn motion_within(&self, from: &AxisValues, to: &AxisValues, most: &RoughDeviation) -> BlockDeviation;
     /// [`Machine::rates`].
     fn rates(&self, axes: &AxisValues, change: &AxisValues) -> (Vector3<f64>, Vector3<f64>);
 }
@@ -223,7 +223,7 @@ impl<M: Machine> AnyMachine for M {
         Machine::motion(self, &trimmed::<M>(from), &trimmed::<M>(to))
     }
 
-    fn motion_within(&self, from: &AxisValues, to: &AxisValues, most: &Deviation) -> BlockDeviation {
+    fn motion_within(&self, from: &AxisValues, to: &AxisValues, most: &RoughDeviation) -> BlockDeviation {
         let curves = self.curves(&trimmed::<M>(from), &trimmed::<M>(to));
         match curves.rough_bound(most) {
             Some(MotionBound { tip_rate, .. }) => BlockDeviation::Below { tip_rate },

@@ -54,7 +54,7 @@ pub use explanation::{CSource, Explanation, Section};
 pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, PoseTolerance, Side, Sign};
 #[cfg(feature = "simulate")]
 pub use motion::StepBound;
-pub use motion::{BlockCurves, BlockDeviation, Curve, Deviation, MotionBound, curves_of_joints, rates_of_joints};
+pub use motion::{BlockCurves, BlockDeviation, Curve, MotionBound, RoughDeviation, curves_of_joints, rates_of_joints};
 pub use nearest::{NotNearest, nearest};
 #[cfg(feature = "simulate")]
 pub use ranges::AxisRanges;

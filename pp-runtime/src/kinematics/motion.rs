@@ -115,7 +115,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Deviation of a block below which a rough bound will do.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Deviation {
+pub struct RoughDeviation {
     /// Distance of the tip from its line, mm.
     pub tip: f64,
     /// Angle of the tool axis from its great circle, rad.
@@ -185,7 +185,7 @@ impl BlockCurves {
     /// ```
     #[must_use]
     #[inline(always)]
-    pub fn rough_bound(&self, most: &Deviation) -> Option<MotionBound> {
+    pub fn rough_bound(&self, most: &RoughDeviation) -> Option<MotionBound> {
         let (tip, axis) = (&self.tip, &self.axis);
         let (bend, rate) = (length(&axis.bend), length(&axis.rate));
         let largest_rate = rate + 0.5 * bend + 0.25 * axis.third;
@@ -479,7 +479,7 @@ mod tests {
 
     #[test]
     fn a_rough_bound_is_never_below_the_bound_and_near_it() {
-        let all = Deviation { tip: f64::INFINITY, axis: f64::INFINITY, axis_step: f64::INFINITY };
+        let all = RoughDeviation { tip: f64::INFINITY, axis: f64::INFINITY, axis_step: f64::INFINITY };
         let (mut found, mut ratios) = (0, [0.0; 3]);
         for round in 0..3000 {
             let [from, to] = block(round);
@@ -494,7 +494,7 @@ mod tests {
             }
             assert!(rough.tip_rate >= bound.tip_rate && rough.turn >= bound.turn && rough.length <= bound.length);
             // Not where another one is wanted.
-            let no_more = Deviation { tip: rough.tip, ..all };
+            let no_more = RoughDeviation { tip: rough.tip, ..all };
             assert_eq!(curves.rough_bound(&no_more), None);
         }
         assert!(found > 2900 && ratios[0] < 2.0, "{found} {ratios:?}");

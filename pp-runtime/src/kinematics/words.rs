@@ -58,7 +58,7 @@ impl RotaryScale {
 }
 
 /// Words of poses, computed in the loops of one machine.
-pub trait Words {
+pub trait PoseWords {
     /// Sets the linear words of a tip at the rotary axis values of `axes`, and the axis values of these words. `shifts`: written
     /// word minus axis value, mm; of a rotary axis minus its word, in units. Returns the largest displacement of the tip by the
     /// rounding, mm; `None`, with any words, where the axes are degenerate or a written word, also a rotary one, has more digits
@@ -86,7 +86,7 @@ const fn solved(chain: &[Axis], rotary: bool) -> ([usize; MAX_AXES], usize) {
     (places, count)
 }
 
-impl<M: Machine> Words for M {
+impl<M: Machine> PoseWords for M {
     #[inline]
     fn set_linear_words(
         &self,

@@ -8,17 +8,17 @@ use crate::program::Location;
 
 /// The cause of a fault in plain words, and its remedy. Boxed: a result that may be a fault is one word.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Fault(Box<Cause>);
+pub(crate) struct Fault(Box<FaultCause>);
 
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct Cause {
+struct FaultCause {
     text: String,
     help: Option<String>,
 }
 
 impl Fault {
     pub(crate) fn new(text: impl Display) -> Self {
-        Self(Box::new(Cause { text: text.to_string(), help: None }))
+        Self(Box::new(FaultCause { text: text.to_string(), help: None }))
     }
 
     pub(crate) fn help(mut self, help: impl Display) -> Self {
@@ -34,7 +34,7 @@ impl Fault {
 
     /// The diagnostic at a location.
     pub(crate) fn at(self, location: Location, severity: Severity) -> Diagnostic {
-        let Cause { text, help } = *self.0;
+        let FaultCause { text, help } = *self.0;
         Diagnostic { severity, location, length: 1, text, help, count: 1 }
     }
 }

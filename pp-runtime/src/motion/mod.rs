@@ -66,7 +66,7 @@ pub(crate) use plan::hole_extent;
 pub(crate) use plan::obligations;
 pub use plan::{
     Abilities, ChordedArcs, CutterRadius, FastestRotation, MovingAxes, OperationBlocks, OperationTime, Planner,
-    ProofProgram, Registers, Statistics, Surface, Sweep, Thread, Threads, Times,
+    ProofProgram, Registers, Statistics, SurfaceDeviation, Sweep, Thread, Threads, Times,
 };
 pub use rotary::Cost;
 pub use source::{

@@ -15,7 +15,7 @@ const MOST_LISTED: usize = 10;
 
 /// The selected operations (`--ops`, `--from-op`), and whether the CL data has them.
 #[derive(Debug, Default)]
-pub(super) struct OperationSelection {
+pub(super) struct SelectedOperations {
     select: Option<Operations>,
     /// The next operation has the selected name.
     named: bool,
@@ -25,7 +25,7 @@ pub(super) struct OperationSelection {
     names: Vec<String>,
 }
 
-impl OperationSelection {
+impl SelectedOperations {
     pub(super) fn of(select: Option<Operations>) -> Self {
         Self { select, ..Self::default() }
     }

@@ -24,7 +24,7 @@ use crate::program::{
 };
 use crate::set_up::{FurtherSetUp, GivenTool};
 
-use super::operations::{OperationNames, OperationSelection};
+use super::operations::{OperationNames, SelectedOperations};
 use crate::motion::tolerances::SAME_AXIS;
 
 /// Largest number of different tools of a program; bounds the memory and the header.
@@ -191,7 +191,7 @@ impl Stage for FirstPass {
 #[derive(Debug)]
 struct Surveyor {
     survey: Survey,
-    selection: OperationSelection,
+    selection: SelectedOperations,
     /// Tool axis in the workpiece with all rotary axes at zero.
     tool_axis: UnitVector3<f64>,
     /// Tools called so far, by number; for those that have moved their index in `survey.tools`.
@@ -223,7 +223,7 @@ impl Surveyor {
     fn new(select: Option<Operations>, tool_axis: UnitVector3<f64>) -> Self {
         Self {
             survey: Survey::default(),
-            selection: OperationSelection::of(select),
+            selection: SelectedOperations::of(select),
             tool_axis,
             called_so_far: BTreeMap::new(),
             call: None,

@@ -7,7 +7,7 @@ use serde_json::{Map, Value as Json, json};
 
 use crate::keys::{
     AxisEntry, AxisSet, Bound, KeyKind, KeyList, KeyReader, KeyScope, KeyTable, Keys, LengthPoint, PerAxis, Printed,
-    Quantity, TomlValue, along, example_entries, letters, list, nearest, printed_along, printed_degrees,
+    QuantityKind, TomlValue, along, example_entries, letters, list, nearest, printed_along, printed_degrees,
     printed_number, solved,
 };
 use crate::kinematics::{AxisKind, Dimension, DimensionKind, Limits};
@@ -156,9 +156,9 @@ impl KeyKind for SetUpTable {
 
 /// Kind of key: tools by tool number.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct ToolTable;
+pub(crate) struct ToolsByNumber;
 
-impl KeyKind for ToolTable {
+impl KeyKind for ToolsByNumber {
     type Value = BTreeMap<u32, GivenTool>;
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<BTreeMap<u32, GivenTool>> {
@@ -312,7 +312,7 @@ impl KeyKind for DimensionTable {
             };
             let number = match dimension.kind {
                 DimensionKind::Length => r.length(value, Bound::Any),
-                DimensionKind::Angle => r.number(value, Quantity::Angle, Bound::Any),
+                DimensionKind::Angle => r.number(value, QuantityKind::Angle, Bound::Any),
             };
             read.extend(number.map(|number| (key.to_owned(), number)));
         }
@@ -354,7 +354,7 @@ pub(crate) const ROTARY_OFFSET: PerAxis<f64> = PerAxis {
     axes: AxisSet::Solved,
     section: false,
     read: |r, entry| {
-        let offset = r.number(entry.value, Quantity::Angle, Bound::Any)?;
+        let offset = r.number(entry.value, QuantityKind::Angle, Bound::Any)?;
         if offset.abs() > LARGEST_OFFSET_RAD {
             r.fault(entry.value.span(), "an offset of at most 360 degrees is needed here", None);
         }

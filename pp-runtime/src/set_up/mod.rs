@@ -40,7 +40,7 @@ use crate::program::{Coolants, Rotation, ToolCall};
 pub(crate) use keys::CoolantKinds;
 use keys::{
     BlankCorners, DimensionTable, LIMITS, MACHINE_ZERO, OffsetWord, ROTARY_OFFSET, SPEEDS, START_POSITION, SetUpTable,
-    TABLE_ZERO, ToolTable,
+    TABLE_ZERO, ToolsByNumber,
 };
 use part_rotation::PartRotation;
 use solids::SolidTable;
@@ -118,7 +118,7 @@ options! {
         solids: Solids = Solids::default(), key("solids", SolidTable);
         /// Tools by tool number. `length` is from the gauge line to the tip; `offset` and `radius_offset` are the registers
         /// of length and radius if they are not the tool number; `speed`, `direction` and `coolant` as in `[defaults]`.
-        tools: BTreeMap<u32, GivenTool> = BTreeMap::new(), key("tools", ToolTable);
+        tools: BTreeMap<u32, GivenTool> = BTreeMap::new(), key("tools", ToolsByNumber);
         /// Dimensions of the machine where they differ from its declaration.
         dimensions: BTreeMap<String, f64> = BTreeMap::new(), key("dimensions", DimensionTable);
         /// Travel of the axes where it differs from the machine's declaration: `[lowest, highest]`, or "free" for an

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Rotation3};
 use serde_json::{Value as Json, json};
 
-use crate::keys::{Bound, KeyKind, KeyReader, KeyScope, Quantity, TomlValue, printed_number};
+use crate::keys::{Bound, KeyKind, KeyReader, KeyScope, QuantityKind, TomlValue, printed_number};
 use crate::kinematics::math;
 
 /// Largest permitted deviation of a matrix from a rotation: rounding to seven digits.
@@ -73,7 +73,7 @@ fn matrix(r: &mut KeyReader<'_>, value: TomlValue<'_>, rows: [TomlValue<'_>; 3])
             r.fault(row.span(), text, Some(ROTATION.to_owned()));
             return None;
         };
-        let [x, y, z] = [x, y, z].map(|number| r.number(number, Quantity::Plain, Bound::Any));
+        let [x, y, z] = [x, y, z].map(|number| r.number(number, QuantityKind::Plain, Bound::Any));
         matrix.set_row(index, &[x?, y?, z?].into());
     }
     let off = (matrix * matrix.transpose() - Matrix3::identity()).abs().max();

@@ -35,15 +35,15 @@ mod removal;
 mod testing;
 
 pub(crate) use bodies::{SolidBody, SolidFault};
-pub(crate) use design::{Comparison, Design, Deviations, Origin, Region, Surface, limits_of};
-pub(crate) use machine::{Links, MachineSolid, clearances, without_solids};
+pub(crate) use design::{Design, DesignComparison, Deviations, Origin, Region, TriangleSurface, limits_of};
+pub(crate) use machine::{MachineLinks, MachineSolid, clearances, without_solids};
 pub(crate) use program::{
-    EPS_MM, LineRecords, Machined, Machining, Outcome, PartPlaces, Recording, RemovedPart, Simulation, Size, Stage,
-    ToolBodies, ToolTable, What,
+    ClampedStage, EPS_MM, LineRecords, MachineToolTable, Machined, Machining, PartPlaces, Recording, RemovedPart,
+    Simulation, SimulationOutcome, Size, ToolBodies, What,
 };
 pub(crate) use removal::{EndValues, MarkedSurface};
 
 pub use bodies::{Mesh, MeshFault};
 pub use removal::{
-    Contact, Cutter, Effort, Filled, LARGEST_TURN, Profile, ShapeFault, StockFault, SweptPiece, TriDexel,
+    Contact, Cutter, Effort, FilledPart, LARGEST_TURN, Profile, ShapeFault, StockFault, SweptPiece, TriDexel,
 };

@@ -58,7 +58,7 @@ crate::machine! {
 }
 
 crate::machine! {
-    struct Head;
+    struct TestHead;
     chain: X | Y Z B A;
 }
 
@@ -73,7 +73,7 @@ pub(super) fn machines() -> [Box<dyn AnyMachine>; 4] {
     [
         Box::new(Spinner::default()),
         Box::new(Inclined::default()),
-        Box::new(Head::default()),
+        Box::new(TestHead::default()),
         Box::new(FourAxes::default()),
     ]
 }

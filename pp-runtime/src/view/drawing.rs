@@ -63,7 +63,7 @@ pub(crate) fn drawing(machine: &dyn AnyMachine) -> io::Result<String> {
 }
 
 /// A rotary axis of the drawing.
-struct CentreLine {
+struct DrawnCentreLine {
     axis: Axis,
     direction: Vector3<f64>,
     point: Point3<f64>,
@@ -74,7 +74,7 @@ struct CentreLine {
 }
 
 struct Drawn {
-    lines: Vec<CentreLine>,
+    lines: Vec<DrawnCentreLine>,
     gauge: Point3<f64>,
 }
 
@@ -96,7 +96,7 @@ impl Drawn {
                 (offset[component].abs() > NO_OFFSET)
                     .then(|| length(machine, &*drawn, index, component, offset[component]))
             });
-            CentreLine { axis, direction: joint.direction.into_inner(), point: joint.point, from, lengths }
+            DrawnCentreLine { axis, direction: joint.direction.into_inner(), point: joint.point, from, lengths }
         });
         Self { lines: lines.collect(), gauge }
     }
@@ -188,7 +188,7 @@ impl Drawn {
     }
 }
 
-impl CentreLine {
+impl DrawnCentreLine {
     /// `1.0` where the positive word turns the table or the head right-handed about the direction, else `-1.0`.
     fn turn(&self) -> f64 {
         // A positive word rotates the tool, seen from the part: a table goes the other way.

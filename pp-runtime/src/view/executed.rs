@@ -49,7 +49,7 @@ impl PointKind {
 
 /// One point of the executed program. Lengths in mm, angles in rad.
 #[derive(Debug, Clone)]
-pub(crate) struct Point {
+pub(crate) struct ExecutedPoint {
     pub(crate) axes: AxisValues,
     /// On the workpiece.
     pub(crate) pose: Pose,
@@ -72,7 +72,7 @@ pub(crate) struct Point {
 
 /// The machine with a tool and a clamping of the part.
 #[derive(Debug, Clone)]
-pub(crate) struct Placement {
+pub(crate) struct ExecutedPlacement {
     pub(crate) set_up: u32,
     /// 0 without a tool.
     pub(crate) tool: u32,
@@ -83,7 +83,7 @@ pub(crate) struct Placement {
 
 /// One operation as it is executed.
 #[derive(Debug, Clone)]
-pub(crate) struct Operation {
+pub(crate) struct ExecutedOperation {
     /// Number in the CL data, from 1.
     pub(crate) number: u64,
     /// Record of its first block.
@@ -99,9 +99,9 @@ pub(crate) struct Operation {
 /// The executed program.
 #[derive(Debug, Default)]
 pub(crate) struct Executed {
-    pub(crate) points: Vec<Point>,
-    pub(crate) placements: Vec<Placement>,
-    pub(crate) operations: Vec<Operation>,
+    pub(crate) points: Vec<ExecutedPoint>,
+    pub(crate) placements: Vec<ExecutedPlacement>,
+    pub(crate) operations: Vec<ExecutedOperation>,
     /// In some rapids each axis moves on its own: their path is unknown, and drawn straight.
     pub(crate) rapids_apart: bool,
 }
@@ -121,14 +121,14 @@ impl Executed {
 pub(crate) struct ExecutedMotion<'m> {
     pub(crate) executed: &'m ExecutedBlock<'m>,
     /// The machine with part and tool.
-    pub(crate) placement: &'m Placement,
+    pub(crate) placement: &'m ExecutedPlacement,
     pub(crate) rapid: bool,
     /// All axes arrive together; otherwise each moves on its own.
     pub(crate) together: bool,
-    pub(crate) start: Place,
+    pub(crate) start: ExecutedPlace,
     /// Largest angle of a rotary axis, or of an arc, rad.
     pub(crate) rotated: f64,
-    at: Motion<'m>,
+    at: MotionAtShares<'m>,
     bounds: &'m dyn MotionBounds,
     /// Time at feed, min, for the length of the tip path, mm.
     minutes: &'m dyn Fn(f64) -> Option<f64>,
@@ -192,12 +192,12 @@ impl ExecutedMotion<'_> {
     }
 
     /// Position at a share; `near`: a position before it.
-    pub(crate) fn at(&self, share: f64, near: &Place) -> Place {
+    pub(crate) fn at(&self, share: f64, near: &ExecutedPlace) -> ExecutedPlace {
         (self.at)(share, &near.axes)
     }
 
     /// Certified deviation between two shares from the motion in step with it.
-    pub(crate) fn step_bound(&self, shares: [f64; 2], places: [&Place; 2]) -> StepBound {
+    pub(crate) fn step_bound(&self, shares: [f64; 2], places: [&ExecutedPlace; 2]) -> StepBound {
         self.bounds.step(shares, places.map(|place| &place.axes))
     }
 
@@ -217,7 +217,7 @@ impl ExecutedMotion<'_> {
 #[cfg(feature = "simulate")]
 pub(crate) trait Motions {
     /// A motion; returns its end.
-    fn motion(&mut self, motion: &ExecutedMotion<'_>) -> Place;
+    fn motion(&mut self, motion: &ExecutedMotion<'_>) -> ExecutedPlace;
 
     /// A motion whose start or end is unknown.
     fn unknown(&mut self);
@@ -246,13 +246,13 @@ pub(crate) struct Collector<'a> {
 
 /// A position on the way of a block.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Place {
+pub(crate) struct ExecutedPlace {
     pub(crate) axes: AxisValues,
     pub(crate) pose: Pose,
 }
 
 /// What is known of the course of a motion.
-struct Course<'m> {
+struct ExecutedCourse<'m> {
     /// Angle of an arc, rad.
     sweep: f64,
     /// All axes arrive together.
@@ -260,11 +260,11 @@ struct Course<'m> {
     together: bool,
     #[cfg(feature = "simulate")]
     bounds: &'m dyn MotionBounds,
-    at: Motion<'m>,
+    at: MotionAtShares<'m>,
 }
 
 /// Positions of a motion at shares of it, 0 to 1; the second argument has the axis values of a position before it.
-type Motion<'m> = &'m dyn Fn(f64, &AxisValues) -> Place;
+type MotionAtShares<'m> = &'m dyn Fn(f64, &AxisValues) -> ExecutedPlace;
 
 impl Observer for Collector<'_> {
     fn executed(&mut self, executed: &ExecutedBlock<'_>) {
@@ -338,7 +338,7 @@ impl<'a> Collector<'a> {
         self.executed
     }
 
-    fn placed(&self) -> &Placement {
+    fn placed(&self) -> &ExecutedPlacement {
         &self.executed.placements[self.placement]
     }
 
@@ -353,7 +353,7 @@ impl<'a> Collector<'a> {
     fn follow_placement(&mut self, executed: &ExecutedBlock<'_>, at_part: bool) {
         let (machine, tool) = (executed.machine(), executed.block.state.tool.unwrap_or(0));
         let set_up = executed.set_up();
-        let is_same = |placement: &Placement| {
+        let is_same = |placement: &ExecutedPlacement| {
             let same = |index: usize| placement.machine.joint(index) == machine.joint(index);
             (placement.tool, placement.set_up) == (tool, set_up) && (!at_part || (0..self.axes.len()).all(same))
         };
@@ -366,7 +366,7 @@ impl<'a> Collector<'a> {
         if self.placement == self.executed.placements.len() {
             let offsets_mm = std::array::from_fn(|index| executed.offset_mm(index));
             let machine = Arc::from(machine.to_boxed());
-            self.executed.placements.push(Placement { set_up, tool, machine, offsets_mm });
+            self.executed.placements.push(ExecutedPlacement { set_up, tool, machine, offsets_mm });
         }
     }
 
@@ -439,11 +439,11 @@ impl<'a> Collector<'a> {
         let machine = Arc::clone(&self.placed().machine);
         let at = |share: f64, _: &AxisValues| {
             let axes = std::array::from_fn(|index| from[index] + (to[index] - from[index]) * share);
-            Place { axes, pose: machine.forward_kinematics(&axes) }
+            ExecutedPlace { axes, pose: machine.forward_kinematics(&axes) }
         };
-        let first = Place { axes: from, pose: machine.forward_kinematics(&from) };
+        let first = ExecutedPlace { axes: from, pose: machine.forward_kinematics(&from) };
         let moved = (0..self.axes.len()).filter(|index| (to[*index] - from[*index]).abs() > 0.0).count();
-        let course = Course {
+        let course = ExecutedCourse {
             sweep: 0.0,
             together: moved < 2,
             #[cfg(feature = "simulate")]
@@ -466,7 +466,7 @@ impl<'a> Collector<'a> {
             self.arrive(&values, known);
             self.lose();
             if let Some(axes) = self.position() {
-                let place = Place { axes, pose: self.placed().machine.forward_kinematics(&axes) };
+                let place = ExecutedPlace { axes, pose: self.placed().machine.forward_kinematics(&axes) };
                 self.begin_at(executed, &place);
             }
             return;
@@ -475,17 +475,17 @@ impl<'a> Collector<'a> {
         for leg in &legs {
             // Ends have the pose of the words; in between, and where the control chooses no angle, that of the axes.
             let at = |share: f64, near: &AxisValues| match leg.axis_values(share) {
-                Some(axes) if share < 1.0 => Place { axes, pose: machine.forward_kinematics(&axes) },
+                Some(axes) if share < 1.0 => ExecutedPlace { axes, pose: machine.forward_kinematics(&axes) },
                 axes => {
                     let pose = leg.pose(share);
                     let axes = axes.or_else(|| nearest_solution(&*machine, &pose, near));
-                    Place { axes: axes.unwrap_or(*near), pose }
+                    ExecutedPlace { axes: axes.unwrap_or(*near), pose }
                 }
             };
             let start = at(0.0, &position.unwrap_or_else(|| machine.held()));
             let kind = if leg.rapid { PointKind::Rapid } else { PointKind::Feed };
             self.executed.rapids_apart |= leg.rapid && !leg.together;
-            let course = Course {
+            let course = ExecutedCourse {
                 sweep: leg.sweep().abs(),
                 together: leg.together,
                 #[cfg(feature = "simulate")]
@@ -497,8 +497,8 @@ impl<'a> Collector<'a> {
     }
 
     /// Begins a path, unless the last point is where the machine is.
-    fn begin_at(&mut self, executed: &ExecutedBlock<'_>, place: &Place) {
-        let continues = |last: &Point| (last.pose.tip - place.pose.tip).norm() < SAME_POINT_MM;
+    fn begin_at(&mut self, executed: &ExecutedBlock<'_>, place: &ExecutedPlace) {
+        let continues = |last: &ExecutedPoint| (last.pose.tip - place.pose.tip).norm() < SAME_POINT_MM;
         if !self.joined || !self.executed.points.last().is_some_and(continues) {
             let waited = std::mem::take(&mut self.waited);
             self.push(executed, PointKind::Start, place, (0.0, Some(waited)));
@@ -511,11 +511,11 @@ impl<'a> Collector<'a> {
         &mut self,
         executed: &ExecutedBlock<'_>,
         kind: PointKind,
-        start: Place,
-        course: &Course<'_>,
+        start: ExecutedPlace,
+        course: &ExecutedCourse<'_>,
         minutes: impl Fn(f64) -> Option<f64>,
     ) {
-        let Course { sweep, at, .. } = *course;
+        let ExecutedCourse { sweep, at, .. } = *course;
         let whole = at(1.0, &start.axes);
         let turned = |index: usize| (whole.axes[index] - start.axes[index]).abs();
         let rotated = self.rotary_axes().map(turned).fold(sweep, f64::max);
@@ -567,11 +567,11 @@ impl<'a> Collector<'a> {
     /// Divides a motion until it is straight within the tolerance, and adds the ends of the pieces.
     fn divide(
         &self,
-        at: Motion<'_>,
-        from: (f64, Place),
-        to: (f64, Place),
+        at: MotionAtShares<'_>,
+        from: (f64, ExecutedPlace),
+        to: (f64, ExecutedPlace),
         (tolerance_mm, halvings): (f64, u32),
-        places: &mut Vec<(f64, Place)>,
+        places: &mut Vec<(f64, ExecutedPlace)>,
     ) {
         let share = f64::midpoint(from.0, to.0);
         let middle = at(share, &from.1.axes);
@@ -599,7 +599,7 @@ impl<'a> Collector<'a> {
             self.waited += seconds;
             return;
         };
-        let place = Place { axes: last.axes, pose: last.pose };
+        let place = ExecutedPlace { axes: last.axes, pose: last.pose };
         self.push(executed, PointKind::Dwell, &place, (0.0, Some(seconds)));
     }
 
@@ -607,7 +607,7 @@ impl<'a> Collector<'a> {
         &mut self,
         executed: &ExecutedBlock<'_>,
         kind: PointKind,
-        place: &Place,
+        place: &ExecutedPlace,
         (feed, seconds): (f64, Option<f64>),
     ) {
         #[cfg(feature = "simulate")]
@@ -615,7 +615,7 @@ impl<'a> Collector<'a> {
             return;
         }
         let operation = self.operation(executed, kind);
-        self.executed.points.push(Point {
+        self.executed.points.push(ExecutedPoint {
             axes: place.axes,
             pose: place.pose,
             line: executed.block.line,
@@ -635,7 +635,7 @@ impl<'a> Collector<'a> {
         let operations = &mut self.executed.operations;
         if number > 0 && operations.last().is_none_or(|last| last.number != number) {
             let (set_up, tool) = (executed.set_up(), 0);
-            operations.push(Operation { number, cl_line, tool, mode: "", set_up, first_point, cuts: false });
+            operations.push(ExecutedOperation { number, cl_line, tool, mode: "", set_up, first_point, cuts: false });
         }
     }
 

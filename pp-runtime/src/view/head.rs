@@ -13,7 +13,7 @@ use crate::set_up::GivenTool;
 use super::ViewedProgram;
 use super::cl_facts::ClTool;
 use super::columns::Column;
-use super::executed::{Operation as ExecutedOperation, Placement as ExecutedPlacement, PointKind};
+use super::executed::{ExecutedOperation, ExecutedPlacement, PointKind};
 use super::sheet::Found;
 
 /// Version of the data.
@@ -27,17 +27,17 @@ const STEPS: f64 = 1e9;
 
 /// The head of the data.
 #[derive(Debug, Serialize)]
-pub(crate) struct Head<'a> {
+pub(crate) struct ViewHead<'a> {
     format: u32,
     compressed: bool,
     program: &'a str,
     cl: &'a str,
     control: &'a str,
-    machine: Machine,
+    machine: ViewMachine,
     tools: Vec<Tool>,
-    operations: Vec<Operation>,
-    set_ups: Vec<SetUp>,
-    placements: Vec<Placement>,
+    operations: Vec<ViewOperation>,
+    set_ups: Vec<ViewSetUp>,
+    placements: Vec<ViewPlacement>,
     findings: Vec<PageFinding<'a>>,
     warnings: &'a [String],
     summary: Vec<String>,
@@ -53,9 +53,9 @@ pub(crate) struct Head<'a> {
 
 /// The machine as a chain of joints, from the workpiece to the tool.
 #[derive(Debug, Serialize)]
-struct Machine {
+struct ViewMachine {
     name: &'static str,
-    joints: Vec<Joint>,
+    joints: Vec<ViewJoint>,
     tool_axis: [f64; 3],
     /// Number of joints on the side of the workpiece.
     frame_after: usize,
@@ -63,7 +63,7 @@ struct Machine {
 
 /// One joint; its point is that of the first placement.
 #[derive(Debug, Serialize)]
-struct Joint {
+struct ViewJoint {
     letter: char,
     rotary: bool,
     held: bool,
@@ -78,7 +78,7 @@ struct Joint {
 
 /// Points of the joints for a tool and a set-up.
 #[derive(Debug, Serialize)]
-struct Placement {
+struct ViewPlacement {
     set_up: usize,
     tool: u32,
     points: Vec<[f64; 3]>,
@@ -106,7 +106,7 @@ pub(crate) struct Tool {
 
 /// An operation.
 #[derive(Debug, Clone, Serialize)]
-pub(crate) struct Operation {
+pub(crate) struct ViewOperation {
     pub(crate) name: String,
     pub(crate) number: u64,
     pub(crate) tool: u32,
@@ -120,7 +120,7 @@ pub(crate) struct Operation {
 
 /// A clamping of the part.
 #[derive(Debug, Serialize)]
-struct SetUp {
+struct ViewSetUp {
     name: String,
     work_offset: String,
     part_origin: [f64; 3],
@@ -146,7 +146,7 @@ fn vector(vector: impl Into<[f64; 3]>) -> [f64; 3] {
     vector.into().map(tidy)
 }
 
-impl<'a> Head<'a> {
+impl<'a> ViewHead<'a> {
     pub(crate) fn of(program: &'a ViewedProgram<'a>, columns: Vec<Column>) -> Self {
         let executed = &program.executed;
         let seconds: f64 = executed.points.iter().filter_map(|point| point.seconds).sum();
@@ -177,13 +177,13 @@ impl<'a> Head<'a> {
 }
 
 /// Operations in the order in which they are executed.
-pub(crate) fn operations(program: &ViewedProgram<'_>) -> Vec<Operation> {
+pub(crate) fn operations(program: &ViewedProgram<'_>) -> Vec<ViewOperation> {
     let executed = &program.executed;
     let names = program.facts.names(executed.operations.iter().map(|operation| operation.cl_line));
     let ends = executed.operations.iter().skip(1).map(|next| next.first_point).chain([executed.points.len()]);
     let operation = |((operation, name), end): ((&ExecutedOperation, String), usize)| {
         let points = &executed.points[operation.first_point..end];
-        Operation {
+        ViewOperation {
             name: if name.is_empty() { format!("operation {}", operation.number) } else { name },
             number: operation.number,
             tool: operation.tool,
@@ -197,13 +197,13 @@ pub(crate) fn operations(program: &ViewedProgram<'_>) -> Vec<Operation> {
     executed.operations.iter().zip(names).zip(ends).map(operation).collect()
 }
 
-fn machine(program: &ViewedProgram<'_>) -> Machine {
+fn machine(program: &ViewedProgram<'_>) -> ViewMachine {
     let first = program.first_machine();
     let travel = program.policy.set_up.travel(first.axes());
     let joint = |index: usize| {
         let (axis, joint) = (&first.axes()[index], first.joint(index));
         let shown = |value: f64| tidy(if axis.kind == AxisKind::Rotary { value.to_degrees() } else { value });
-        Joint {
+        ViewJoint {
             letter: axis.letter,
             rotary: axis.kind == AxisKind::Rotary,
             held: axis.held,
@@ -215,7 +215,7 @@ fn machine(program: &ViewedProgram<'_>) -> Machine {
             speed: travel.speeds[index].map(shown),
         }
     };
-    Machine {
+    ViewMachine {
         name: first.name(),
         joints: (0..first.axes().len()).map(joint).collect(),
         tool_axis: first.tool_axis().into_inner().into(),
@@ -223,7 +223,7 @@ fn machine(program: &ViewedProgram<'_>) -> Machine {
     }
 }
 
-fn placement_of(program: &ViewedProgram<'_>, placement: &ExecutedPlacement) -> Placement {
+fn placement_of(program: &ViewedProgram<'_>, placement: &ExecutedPlacement) -> ViewPlacement {
     let machine = &placement.machine;
     let zero = machine.axes().iter().enumerate().map(|(index, axis)| match axis.kind {
         AxisKind::Rotary => Some(0.0),
@@ -232,7 +232,7 @@ fn placement_of(program: &ViewedProgram<'_>, placement: &ExecutedPlacement) -> P
             Some(tidy(zero_mm + placement.offsets_mm[index]))
         }
     });
-    Placement {
+    ViewPlacement {
         set_up: program.set_up_index(placement.set_up),
         tool: placement.tool,
         points: (0..machine.axes().len()).map(|index| vector(machine.joint(index).point)).collect(),
@@ -305,13 +305,13 @@ fn profile(radius: f64, corner_radius: f64, gauge_length: Option<f64>) -> Vec<[f
     points
 }
 
-fn set_ups(program: &ViewedProgram<'_>) -> Vec<SetUp> {
+fn set_ups(program: &ViewedProgram<'_>) -> Vec<ViewSetUp> {
     let executed = &program.executed;
     let first_point = |number: u32| {
         let is_in = |placement: usize| executed.placements[placement].set_up == number;
         executed.points.iter().position(|point| is_in(point.placement)).unwrap_or(executed.points.len())
     };
-    let set_up = |(number, clamping): (u32, crate::set_up::Clamping<'_>)| SetUp {
+    let set_up = |(number, clamping): (u32, crate::set_up::Clamping<'_>)| ViewSetUp {
         name: format!("set-up {number}"),
         work_offset: clamping.work_offset.to_owned(),
         part_origin: vector(clamping.part_origin),

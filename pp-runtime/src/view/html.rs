@@ -13,8 +13,8 @@ use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use sha2::{Digest as _, Sha256};
 
-use super::head::Head;
-use super::sheet::Sheet;
+use super::head::ViewHead;
+use super::sheet::JobSheet;
 use super::{ViewedProgram, columns, report};
 
 /// The script of the page, from `page/`.
@@ -65,13 +65,13 @@ pub(crate) fn write_page(program: &ViewedProgram<'_>, out: &mut dyn Write) -> io
         let texts = [("program-text", program.text), ("cl-text", &program.cl_text)];
         let texts = texts.map(|(id, text)| (id, scope.spawn(move || columns::packed(text))));
         let columns = scope.spawn(|| program.columns());
-        let sheet = Sheet::of(program, false);
+        let sheet = JobSheet::of(program, false);
         begin(&sheet.title(), STYLE, Some(SCRIPT), out)?;
         out.write_all(b"<main id=\"summary\">\n")?;
         report::html(&sheet.overview(program)?, out)?;
         out.write_all(b"</main>\n<div id=\"app\"></div>\n")?;
         let (list, numbers) = joined(columns)?;
-        let json = serde_json::to_string(&Head::of(program, list))?.replace('<', "\\u003c");
+        let json = serde_json::to_string(&ViewHead::of(program, list))?.replace('<', "\\u003c");
         writeln!(out, "<script type=\"application/json\" id=\"program-head\">{json}</script>")?;
         writeln!(out, "<script type=\"text/plain\" id=\"program-columns\">{numbers}</script>")?;
         if let Some(simulation) = program.simulation() {

@@ -27,13 +27,13 @@ use nalgebra::Point3;
 
 #[cfg(feature = "simulate")]
 use crate::check::read::MAX_AXES;
-use crate::check::read::Pieces;
+use crate::check::read::TextPieces;
 use crate::check::{CheckError, CheckPolicy, Checked, check_data};
 use crate::cl::{ClData, FromHere};
 use crate::kinematics::{AnyMachine, AxisKind};
 
 use columns::{Column, Columns};
-use executed::{Executed, Point};
+use executed::{Executed, ExecutedPoint};
 
 pub(crate) use cl_facts::ClFacts;
 #[cfg(feature = "simulate")]
@@ -41,13 +41,13 @@ pub(crate) use cl_facts::ClTool;
 pub(crate) use drawing::drawing;
 pub(crate) use executed::Collector;
 #[cfg(feature = "simulate")]
-pub(crate) use executed::{ExecutedMotion, Motions, Place};
+pub(crate) use executed::{ExecutedMotion, ExecutedPlace, Motions};
 pub(crate) use html::{is_document, write_page};
 pub(crate) use picture::path_and_axes;
 pub(crate) use reasons::Reasons;
 pub(crate) use report::{ReportForm, write_report};
 #[cfg(feature = "simulate")]
-pub(crate) use simulated::{PageBody, PageStage, Part, Role, SimulatedPage, ToolPart};
+pub(crate) use simulated::{PageBody, PageStage, Role, SimulatedLinePart, SimulatedPage, ToolPart};
 
 /// Step of linear axes and tips, mm.
 const LENGTH_STEP: f64 = 1e-5;
@@ -87,7 +87,7 @@ impl Execution {
         machine: &dyn AnyMachine,
         policy: &CheckPolicy,
         cl: &mut dyn ClData,
-        text: &mut dyn Pieces,
+        text: &mut dyn TextPieces,
     ) -> Result<Self, CheckError> {
         let mut collector = Collector::new(machine, policy);
         let checked = check_data(machine, policy, cl, text, Some(&mut collector))?;
@@ -224,7 +224,7 @@ impl<'a> ViewedProgram<'a> {
         let axis = &self.machine.axes()[index];
         let linear = axis.kind == AxisKind::Linear && self.has_coordinates(index);
         let zero_mm = self.policy.set_up.machine_zero.get(&axis.letter).copied().unwrap_or(0.0);
-        let at = |point: &Point| {
+        let at = |point: &ExecutedPoint| {
             let offset_mm = self.executed.placements[point.placement].offsets_mm[index];
             point.axes[index] + if linear { zero_mm + offset_mm } else { 0.0 }
         };
@@ -232,7 +232,7 @@ impl<'a> ViewedProgram<'a> {
     }
 
     /// Corners of the blank in the coordinates of a set-up: that of the configuration in the first, or a box around all cuts.
-    fn part_corners(&self, set_up: u32, cuts: &[&Point]) -> Option<[Point3<f64>; 2]> {
+    fn part_corners(&self, set_up: u32, cuts: &[&ExecutedPoint]) -> Option<[Point3<f64>; 2]> {
         if let Some(stock) = self.policy.set_up.stock.filter(|_| set_up == 1) {
             return Some([stock.lower.into(), stock.upper.into()]);
         }

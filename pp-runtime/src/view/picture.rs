@@ -13,7 +13,7 @@ use plotters::prelude::*;
 use crate::kinematics::{AxisKind, Side};
 
 use super::ViewedProgram;
-use super::executed::{Point, PointKind};
+use super::executed::{ExecutedPoint, PointKind};
 
 /// Width of a picture; it is shown at half of it, so that lines are fine.
 const WIDTH: u32 = 2000;
@@ -107,9 +107,12 @@ pub(crate) fn part_on_table(program: &ViewedProgram<'_>, set_up: u32) -> io::Res
 }
 
 /// Positions to be drawn: runs of one kind, each from the end of the one before.
-fn runs<'p>(points: &'p [Point], shown: &dyn Fn(&Point) -> bool) -> Vec<(PointKind, Vec<&'p Point>)> {
-    let mut runs: Vec<(PointKind, Vec<&Point>)> = Vec::new();
-    let mut last: Option<&Point> = None;
+fn runs<'p>(
+    points: &'p [ExecutedPoint],
+    shown: &dyn Fn(&ExecutedPoint) -> bool,
+) -> Vec<(PointKind, Vec<&'p ExecutedPoint>)> {
+    let mut runs: Vec<(PointKind, Vec<&ExecutedPoint>)> = Vec::new();
+    let mut last: Option<&ExecutedPoint> = None;
     for point in points.iter().filter(|point| shown(point)) {
         match (runs.last_mut(), last) {
             _ if point.kind == PointKind::Start => {}
@@ -241,7 +244,7 @@ fn draw_path(program: &ViewedProgram<'_>, set_up: u32, area: &Area<'_>) -> io::R
     let executed = &program.executed;
     let runs = runs(&executed.points, &|point| executed.placements[point.placement].set_up == set_up);
     for (area, (title, names, directions)) in area.split_evenly((1, 3)).iter().zip(VIEWS) {
-        let at = |point: &Point| directions.map(|index| point.pose.tip[index]);
+        let at = |point: &ExecutedPoint| directions.map(|index| point.pose.tip[index]);
         let cuts = runs.iter().filter(|(kind, _)| *kind == PointKind::Feed).flat_map(|(_, run)| run);
         let mut chart = view(area, title, names, cuts.map(|point| at(point)))?;
         for (kind, colour) in [(PointKind::Rapid, RAPID), (PointKind::Feed, FEED)] {
@@ -254,9 +257,9 @@ fn draw_path(program: &ViewedProgram<'_>, set_up: u32, area: &Area<'_>) -> io::R
 /// Draws the runs of one kind.
 fn draw_runs(
     chart: &mut Chart<'_, '_>,
-    runs: &[(PointKind, Vec<&Point>)],
+    runs: &[(PointKind, Vec<&ExecutedPoint>)],
     kind: PointKind,
-    at: &dyn Fn(&Point) -> (f64, f64),
+    at: &dyn Fn(&ExecutedPoint) -> (f64, f64),
     colour: RGBColor,
 ) -> io::Result<()> {
     let frame = [chart.x_range(), chart.y_range()];
@@ -383,9 +386,9 @@ fn draw_table(
         let point = point + origin;
         directions.map(|index| point[index])
     };
-    let is_shown = |point: &Point| executed.placements[point.placement].set_up == set_up;
+    let is_shown = |point: &ExecutedPoint| executed.placements[point.placement].set_up == set_up;
     let runs = runs(&executed.points, &is_shown);
-    let cuts: Vec<&Point> =
+    let cuts: Vec<&ExecutedPoint> =
         runs.iter().filter(|(kind, _)| *kind == PointKind::Feed).flat_map(|(_, run)| run.iter().copied()).collect();
     let corners = program.part_corners(set_up, &cuts);
     let part: Vec<[f64; 2]> = corners.iter().flatten().map(&on_table).collect();

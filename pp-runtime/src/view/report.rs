@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::ViewedProgram;
 use super::html::{Escaped, begin};
-use super::sheet::{Body, Section, Sheet};
+use super::sheet::{DocumentSection, JobSheet, SectionBody};
 
 /// Style of the sheet: black on white, one page for each set-up.
 const STYLE: &str = "\
@@ -42,7 +42,7 @@ pub(crate) fn write_report(
     jog_sheet: bool,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let sheet = Sheet::of(program, jog_sheet);
+    let sheet = JobSheet::of(program, jog_sheet);
     match form {
         ReportForm::Html => {
             begin(&sheet.title(), STYLE, None, out)?;
@@ -58,19 +58,19 @@ pub(crate) fn write_report(
 }
 
 /// Writes sections in HTML; the title of the first is that of the document.
-pub(crate) fn html(sections: &[Section], out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn html(sections: &[DocumentSection], out: &mut dyn Write) -> io::Result<()> {
     for (index, section) in sections.iter().enumerate() {
         let heading = if index == 0 { "h1" } else { "h2" };
         let class = if section.page { " class=\"page\"" } else { "" };
         writeln!(out, "<section{class}><{heading}>{}</{heading}>", Escaped(&section.title))?;
         for body in &section.body {
             match body {
-                Body::Lines(lines) => {
+                SectionBody::Lines(lines) => {
                     out.write_all(b"<ul>\n")?;
                     lines.iter().try_for_each(|line| writeln!(out, "<li>{}</li>", Escaped(line)))?;
                     out.write_all(b"</ul>\n")?;
                 }
-                Body::Table(columns, rows) => {
+                SectionBody::Table(columns, rows) => {
                     let cells = |tag: &str, cells: &mut dyn Iterator<Item = &str>| -> String {
                         cells.map(|cell| format!("<{tag}>{}</{tag}>", Escaped(cell))).collect()
                     };
@@ -80,10 +80,10 @@ pub(crate) fn html(sections: &[Section], out: &mut dyn Write) -> io::Result<()> 
                     }
                     out.write_all(b"</table>\n")?;
                 }
-                Body::Picture(svg, text) => {
+                SectionBody::Picture(svg, text) => {
                     writeln!(out, "<figure>{svg}<figcaption>{}</figcaption></figure>", Escaped(text))?;
                 }
-                Body::Aligned(lines) => writeln!(out, "<pre>{}</pre>", Escaped(lines.join("\n")))?,
+                SectionBody::Aligned(lines) => writeln!(out, "<pre>{}</pre>", Escaped(lines.join("\n")))?,
             }
         }
         out.write_all(b"</section>\n")?;
@@ -112,7 +112,7 @@ fn literal_item(text: &str) -> String {
     format!("{number}{}{}", if begins_list { "\\" } else { "" }, literal(rest))
 }
 
-fn markdown(sections: &[Section], out: &mut dyn Write) -> io::Result<()> {
+fn markdown(sections: &[DocumentSection], out: &mut dyn Write) -> io::Result<()> {
     for (index, section) in sections.iter().enumerate() {
         writeln!(out, "{} {}\n", if index == 0 { "#" } else { "\n##" }, literal(&section.title))?;
         for (index, body) in section.body.iter().enumerate() {
@@ -120,16 +120,18 @@ fn markdown(sections: &[Section], out: &mut dyn Write) -> io::Result<()> {
                 out.write_all(b"\n")?;
             }
             match body {
-                Body::Lines(lines) => lines.iter().try_for_each(|line| writeln!(out, "- {}", literal_item(line)))?,
-                Body::Table(columns, rows) => {
+                SectionBody::Lines(lines) => {
+                    lines.iter().try_for_each(|line| writeln!(out, "- {}", literal_item(line)))?
+                }
+                SectionBody::Table(columns, rows) => {
                     writeln!(out, "| {} |\n|{}", columns.join(" | "), " --- |".repeat(columns.len()))?;
                     for row in rows {
                         let cells: Vec<String> = row.iter().map(|cell| literal(cell)).collect();
                         writeln!(out, "| {} |", cells.join(" | "))?;
                     }
                 }
-                Body::Picture(..) => {}
-                Body::Aligned(lines) => lines.iter().try_for_each(|line| writeln!(out, "    {line}"))?,
+                SectionBody::Picture(..) => {}
+                SectionBody::Aligned(lines) => lines.iter().try_for_each(|line| writeln!(out, "    {line}"))?,
             }
         }
     }

@@ -11,12 +11,12 @@ use crate::post::duration;
 use crate::set_up::{Clamping, part_angles};
 
 use super::executed::Executed;
-use super::head::{Operation, Tool, operations, tools};
+use super::head::{Tool, ViewOperation, operations, tools};
 use super::{ViewedProgram, picture};
 
 /// The facts of a sheet; lengths in mm, angles in degrees, times in seconds.
 #[derive(Debug, Serialize)]
-pub(crate) struct Sheet<'a> {
+pub(crate) struct JobSheet<'a> {
     pub(crate) program: &'a str,
     cl: &'a str,
     machine: &'a str,
@@ -24,7 +24,7 @@ pub(crate) struct Sheet<'a> {
     seconds: f64,
     /// There are rapids of axes without a known speed, whose time is not in `seconds`.
     unknown_speeds: bool,
-    set_ups: Vec<SetUp>,
+    set_ups: Vec<SheetSetUp>,
     tools: Vec<UsedTool>,
     check: Check<'a>,
     warnings: &'a [String],
@@ -38,7 +38,7 @@ const SAME_COORDINATE: f64 = 5e-4;
 
 /// A clamping of the part and what is done in it.
 #[derive(Debug, Serialize)]
-struct SetUp {
+struct SheetSetUp {
     number: u32,
     work_offset: String,
     /// Its linear entries, as far as the configuration gives them, mm.
@@ -48,7 +48,7 @@ struct SetUp {
     part_origin: [f64; 3],
     part_rotation: [f64; 3],
     seconds: f64,
-    operations: Vec<Operation>,
+    operations: Vec<ViewOperation>,
     axes: Vec<AxisExtremes>,
 }
 
@@ -101,15 +101,15 @@ impl<'a> Found<'a> {
 }
 
 /// A part of a document.
-pub(crate) struct Section {
+pub(crate) struct DocumentSection {
     pub(crate) title: String,
     /// It begins a page when printed.
     pub(crate) page: bool,
-    pub(crate) body: Vec<Body>,
+    pub(crate) body: Vec<SectionBody>,
 }
 
 /// What a section holds.
-pub(crate) enum Body {
+pub(crate) enum SectionBody {
     /// A list.
     Lines(Vec<String>),
     /// A table: titles of the columns, and rows.
@@ -135,7 +135,7 @@ fn time(seconds: f64) -> String {
     duration(seconds / 60.0)
 }
 
-impl<'a> Sheet<'a> {
+impl<'a> JobSheet<'a> {
     pub(crate) fn of(program: &'a ViewedProgram<'a>, jog_sheet: bool) -> Self {
         let operations = operations(program);
         let used = |tool: Tool| {
@@ -143,7 +143,7 @@ impl<'a> Sheet<'a> {
             UsedTool { operations: of_tool.map(|operation| operation.number).collect(), tool }
         };
         let outcome = &program.checked.outcome;
-        let set_ups: Vec<SetUp> = program
+        let set_ups: Vec<SheetSetUp> = program
             .policy
             .set_up
             .clampings()
@@ -175,45 +175,45 @@ impl<'a> Sheet<'a> {
     }
 
     /// The whole program: times, operations, tools, extremes, check.
-    pub(crate) fn overview(&self, program: &ViewedProgram<'_>) -> io::Result<Vec<Section>> {
+    pub(crate) fn overview(&self, program: &ViewedProgram<'_>) -> io::Result<Vec<DocumentSection>> {
         let mut sections = vec![self.heading()];
         for set_up in &self.set_ups {
-            let mut body = vec![Body::Lines(vec![set_up.placed()]), set_up.operations(), self.tools_of(set_up)];
+            let mut body = vec![SectionBody::Lines(vec![set_up.placed()]), set_up.operations(), self.tools_of(set_up)];
             body.push(set_up.extremes());
-            sections.push(Section { title: set_up.title(), page: false, body });
+            sections.push(DocumentSection { title: set_up.title(), page: false, body });
         }
         sections.extend(self.results());
-        let paths = program
-            .moving_set_ups()
-            .map(|number| Ok(Body::Picture(picture::path(program, number)?, path_caption(&program.executed, number))));
+        let paths = program.moving_set_ups().map(|number| {
+            Ok(SectionBody::Picture(picture::path(program, number)?, path_caption(&program.executed, number)))
+        });
         let mut pictures = paths.collect::<io::Result<Vec<_>>>()?;
-        pictures.push(Body::Picture(picture::axes(program)?, "the axes over time, limits red".to_owned()));
-        sections.push(Section { title: "Pictures".to_owned(), page: false, body: pictures });
+        pictures.push(SectionBody::Picture(picture::axes(program)?, "the axes over time, limits red".to_owned()));
+        sections.push(DocumentSection { title: "Pictures".to_owned(), page: false, body: pictures });
         Ok(sections)
     }
 
     /// The set-up sheet: one page for each set-up, then the results.
-    pub(crate) fn set_up_sheet(&self, program: &ViewedProgram<'_>, pictures: bool) -> io::Result<Vec<Section>> {
+    pub(crate) fn set_up_sheet(&self, program: &ViewedProgram<'_>, pictures: bool) -> io::Result<Vec<DocumentSection>> {
         let mut sections = vec![self.heading()];
         for (index, set_up) in self.set_ups.iter().enumerate() {
-            let mut body = vec![Body::Lines(vec![set_up.placed()])];
+            let mut body = vec![SectionBody::Lines(vec![set_up.placed()])];
             if pictures {
                 let text = "part on the table: zero red, cuts blue, centre lines of the rotary axes green".to_owned();
-                body.push(Body::Picture(picture::part_on_table(program, set_up.number)?, text));
+                body.push(SectionBody::Picture(picture::part_on_table(program, set_up.number)?, text));
             }
             body.extend([self.tools_of(set_up), set_up.operations(), set_up.extremes()]);
-            sections.push(Section { title: set_up.title(), page: index > 0, body });
+            sections.push(DocumentSection { title: set_up.title(), page: index > 0, body });
         }
         sections.extend(self.results());
-        sections.extend(self.jog_sheet.map(|lines| Section {
+        sections.extend(self.jog_sheet.map(|lines| DocumentSection {
             title: "Jog sheet".to_owned(),
             page: true,
-            body: vec![Body::Aligned(lines.iter().map(|line| (*line).to_owned()).collect())],
+            body: vec![SectionBody::Aligned(lines.iter().map(|line| (*line).to_owned()).collect())],
         }));
         Ok(sections)
     }
 
-    fn heading(&self) -> Section {
+    fn heading(&self) -> DocumentSection {
         let without = "; rapids of axes without a speed in `speeds` are not counted";
         let lines = vec![
             format!("machine {}, control {}", self.machine, self.control),
@@ -221,10 +221,10 @@ impl<'a> Sheet<'a> {
             format!("machining time {}{}", time(self.seconds), if self.unknown_speeds { without } else { "" }),
             self.check.figures.clone(),
         ];
-        Section { title: self.title(), page: false, body: vec![Body::Lines(lines)] }
+        DocumentSection { title: self.title(), page: false, body: vec![SectionBody::Lines(lines)] }
     }
 
-    fn tools_of(&self, set_up: &SetUp) -> Body {
+    fn tools_of(&self, set_up: &SheetSetUp) -> SectionBody {
         let columns = vec!["tool", "name", "kind", "diameter mm", "corner mm", "gauge length mm", "operations", "time"];
         let of = |number: u32| set_up.operations.iter().filter(move |operation| operation.tool == number);
         let row = |used: &UsedTool| {
@@ -242,10 +242,10 @@ impl<'a> Sheet<'a> {
                 time(of(tool.number).map(|operation| operation.seconds).sum()),
             ])
         };
-        Body::Table(columns, self.tools.iter().filter_map(row).collect())
+        SectionBody::Table(columns, self.tools.iter().filter_map(row).collect())
     }
 
-    fn results(&self) -> Vec<Section> {
+    fn results(&self) -> Vec<DocumentSection> {
         let found = |found: &Found<'_>| {
             let help = found.help.map_or_else(String::new, |help| format!("; {help}"));
             format!("line {} (CL line {}): {}{help}", found.line, found.cl_line, found.text)
@@ -254,10 +254,10 @@ impl<'a> Sheet<'a> {
             true => vec![self.check.figures.clone()],
             false => self.check.findings.iter().map(found).collect(),
         };
-        let section = |title: &str, lines: Vec<String>| Section {
+        let section = |title: &str, lines: Vec<String>| DocumentSection {
             title: title.to_owned(),
             page: false,
-            body: vec![Body::Lines(lines)],
+            body: vec![SectionBody::Lines(lines)],
         };
         let mut sections = vec![section("Check", findings)];
         if !self.warnings.is_empty() {
@@ -270,7 +270,7 @@ impl<'a> Sheet<'a> {
     }
 }
 
-impl SetUp {
+impl SheetSetUp {
     fn title(&self) -> String {
         format!("Set-up {}", self.number)
     }
@@ -290,8 +290,8 @@ impl SetUp {
         format!("work offset {}{entries}; {origin}{rotation}", self.work_offset)
     }
 
-    fn operations(&self) -> Body {
-        let row = |operation: &Operation| {
+    fn operations(&self) -> SectionBody {
+        let row = |operation: &ViewOperation| {
             vec![
                 operation.number.to_string(),
                 operation.name.clone(),
@@ -300,10 +300,10 @@ impl SetUp {
                 time(operation.seconds),
             ]
         };
-        Body::Table(vec!["operation", "name", "tool", "mode", "time"], self.operations.iter().map(row).collect())
+        SectionBody::Table(vec!["operation", "name", "tool", "mode", "time"], self.operations.iter().map(row).collect())
     }
 
-    fn extremes(&self) -> Body {
+    fn extremes(&self) -> SectionBody {
         let row = |axis: &AxisExtremes| {
             let limits = match axis.limits {
                 Some([lower, upper]) => {
@@ -322,7 +322,10 @@ impl SetUp {
                 counted.to_owned(),
             ]
         };
-        Body::Table(vec!["axis", "lowest", "highest", "limits", "coordinates"], self.axes.iter().map(row).collect())
+        SectionBody::Table(
+            vec!["axis", "lowest", "highest", "limits", "coordinates"],
+            self.axes.iter().map(row).collect(),
+        )
     }
 }
 
@@ -335,10 +338,16 @@ fn path_caption(executed: &Executed, set_up: u32) -> String {
     }
 }
 
-fn set_up(program: &ViewedProgram<'_>, number: u32, clamping: &Clamping<'_>, operations: &[Operation]) -> SetUp {
+fn set_up(
+    program: &ViewedProgram<'_>,
+    number: u32,
+    clamping: &Clamping<'_>,
+    operations: &[ViewOperation],
+) -> SheetSetUp {
     let (executed, axes) = (&program.executed, program.machine.axes());
     let index = program.set_up_index(number);
-    let operations: Vec<Operation> = operations.iter().filter(|operation| operation.set_up == index).cloned().collect();
+    let operations: Vec<ViewOperation> =
+        operations.iter().filter(|operation| operation.set_up == index).cloned().collect();
     let limits = program.policy.set_up.travel(axes).limits;
     let extremes = |index: usize| {
         let axis = &axes[index];
@@ -367,7 +376,7 @@ fn set_up(program: &ViewedProgram<'_>, number: u32, clamping: &Clamping<'_>, ope
         })
     };
     let set_up = &program.policy.set_up;
-    SetUp {
+    SheetSetUp {
         number,
         work_offset: clamping.work_offset.to_owned(),
         entries_mm: set_up.work_offset_mm(&*program.machine, number),

@@ -12,14 +12,14 @@ const STEP_MM: f64 = 1e-4;
 
 /// Rows of numbers.
 #[derive(Debug, Serialize)]
-struct Table {
+struct NumberTable {
     rows: usize,
     columns: Vec<Column>,
     /// Compressed, in base64.
     data: String,
 }
 
-impl Table {
+impl NumberTable {
     fn of(rows: usize, columns: Columns) -> io::Result<Self> {
         let (columns, data) = columns.encoded()?;
         Ok(Self { rows, columns, data })
@@ -49,15 +49,15 @@ pub(crate) struct PageBody {
     link: usize,
     /// Indices of the set-ups in which it is there; empty: all.
     set_ups: Vec<usize>,
-    vertices: Table,
-    faces: Table,
+    vertices: NumberTable,
+    faces: NumberTable,
 }
 
 /// Vertices and triangles, counter-clockwise from outside.
-type Triangles<'t> = (&'t [[f64; 3]], &'t [[u32; 3]]);
+type ViewTriangles<'t> = (&'t [[f64; 3]], &'t [[u32; 3]]);
 
 impl PageBody {
-    pub(crate) fn new(name: &str, role: Role, link: usize, triangles: Triangles<'_>) -> io::Result<Self> {
+    pub(crate) fn new(name: &str, role: Role, link: usize, triangles: ViewTriangles<'_>) -> io::Result<Self> {
         Self::marked(name, role, link, triangles, None)
     }
 
@@ -71,7 +71,7 @@ impl PageBody {
         name: &str,
         role: Role,
         link: usize,
-        (vertices, faces): Triangles<'_>,
+        (vertices, faces): ViewTriangles<'_>,
         marks: Option<(&[f32], &[u32])>,
     ) -> io::Result<Self> {
         let mut columns = Columns::default();
@@ -86,12 +86,12 @@ impl PageBody {
                 lines.iter().map(|line| if *line == u32::MAX { -1.0 } else { f64::from(*line) }),
             );
         }
-        let vertices = Table::of(vertices.len(), columns)?;
+        let vertices = NumberTable::of(vertices.len(), columns)?;
         let mut columns = Columns::default();
         for (corner, letter) in ["a", "b", "c"].into_iter().enumerate() {
             columns.quantised(letter, 1.0, faces.iter().map(|face| f64::from(face[corner])));
         }
-        let faces = Table::of(faces.len(), columns)?;
+        let faces = NumberTable::of(faces.len(), columns)?;
         Ok(Self { name: name.to_owned(), role, link, set_ups: Vec::new(), vertices, faces })
     }
 }
@@ -104,7 +104,7 @@ pub(crate) struct ToolPart {
 }
 
 /// Parts of lines of a stock: number of the line over all families, lower and upper end, and a line of the program.
-pub(crate) type Part = (u32, [f32; 2], u32);
+pub(crate) type SimulatedLinePart = (u32, [f32; 2], u32);
 
 /// The stock as it is cut in one set-up, with few lines.
 #[derive(Debug, Serialize)]
@@ -115,9 +115,9 @@ pub(crate) struct PageStage {
     /// Number of lines along each axis.
     counts: [usize; 3],
     /// Material at the begin.
-    material: Table,
+    material: NumberTable,
     /// What is removed, in the order of the program.
-    removed: Table,
+    removed: NumberTable,
 }
 
 impl PageStage {
@@ -125,20 +125,20 @@ impl PageStage {
         set_up: usize,
         corners: [[f64; 3]; 2],
         counts: [usize; 3],
-        material: impl Iterator<Item = Part> + Clone,
-        removed: impl Iterator<Item = Part> + Clone,
+        material: impl Iterator<Item = SimulatedLinePart> + Clone,
+        removed: impl Iterator<Item = SimulatedLinePart> + Clone,
     ) -> io::Result<Self> {
         Ok(Self { set_up, corners, counts, material: parts(material)?, removed: parts(removed)? })
     }
 }
 
-fn parts(parts: impl Iterator<Item = Part> + Clone) -> io::Result<Table> {
+fn parts(parts: impl Iterator<Item = SimulatedLinePart> + Clone) -> io::Result<NumberTable> {
     let mut columns = Columns::default();
     columns.quantised("stock_line", 1.0, parts.clone().map(|part| f64::from(part.0)));
     columns.quantised("low", 1e-3, parts.clone().map(|part| f64::from(part.1[0])));
     columns.quantised("high", 1e-3, parts.clone().map(|part| f64::from(part.1[1])));
     columns.quantised("line", 1.0, parts.clone().map(|part| f64::from(part.2)));
-    Table::of(parts.count(), columns)
+    NumberTable::of(parts.count(), columns)
 }
 
 /// A simulation as the page shows it. Lengths in mm.

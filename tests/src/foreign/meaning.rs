@@ -250,7 +250,7 @@ pub enum Address {
 
 /// How a number counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Counting {
+pub enum NumberCounting {
     /// By the distance mode.
     AsInForce,
     /// `AC()`.
@@ -267,7 +267,7 @@ pub struct Word {
     /// Value: lengths in the unit of the program, angles in degrees.
     pub value: f64,
     /// How it counts.
-    pub counting: Counting,
+    pub counting: NumberCounting,
 }
 
 /// A block in the common language. Whatever is in it has to be used: a word that no code of the block takes is refused.
@@ -309,14 +309,14 @@ impl Command {
     /// # Errors
     /// If the block has this word already.
     pub fn word(&mut self, address: Address, value: f64) -> Result<(), String> {
-        self.counted(address, value, Counting::AsInForce)
+        self.counted(address, value, NumberCounting::AsInForce)
     }
 
     /// Adds a word.
     ///
     /// # Errors
     /// If the block has this word already.
-    pub fn counted(&mut self, address: Address, value: f64, counting: Counting) -> Result<(), String> {
+    pub fn counted(&mut self, address: Address, value: f64, counting: NumberCounting) -> Result<(), String> {
         if self.words.iter().any(|word| word.address == address) {
             return Err(match address {
                 Address::Axis(letter) => format!("two {letter} words in one block"),

@@ -27,14 +27,14 @@ pub enum Motion {
     /// At feed.
     Feed([f64; 6]),
     /// A circle or a helix.
-    Arc(Arc),
+    Arc(CanonArc),
     /// Rigid tapping, in and out: X Y Z of the bottom.
     Tap([f64; 3]),
 }
 
 /// A circle or a helix in a plane, seen from the end of its normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Arc {
+pub struct CanonArc {
     /// The plane in force.
     pub plane: WorkPlane,
     /// End point.
@@ -161,12 +161,12 @@ fn plane_of(name: &str) -> WorkPlane {
 }
 
 /// `ARC_FEED(first end, second end, first centre, second centre, turns, end along the normal, a, b, c)`.
-fn arc(plane: WorkPlane, [first, second, u, v, turns, normal, a, b, c]: [f64; 9]) -> Arc {
+fn arc(plane: WorkPlane, [first, second, u, v, turns, normal, a, b, c]: [f64; 9]) -> CanonArc {
     let mut end = [0.0, 0.0, 0.0, a, b, c];
     for (axis, value) in plane.axes().into_iter().zip([first, second, normal]) {
         end[axis] = value;
     }
-    Arc { plane, end, centre: [u, v], turns: turns as i32 }
+    CanonArc { plane, end, centre: [u, v], turns: turns as i32 }
 }
 
 fn numbers<const N: usize>(line: &str, arguments: &str) -> [f64; N] {
@@ -183,7 +183,7 @@ mod tests {
         let calls = "  4 N..... SELECT_PLANE(CANON_PLANE_XZ)\n  5 N..... SET_FEED_RATE(20.0000)\n  \
              6 N3     ARC_FEED(1.0000, 2.0000, 3.0000, 4.0000, -2, 5.0000, 6.0000, 7.0000, 8.0000)\n  \
              7 N..... STRAIGHT_FEED(1.0000, -2.0000, 3.0000, 4.0000, 5.0000, 6.0000)\n";
-        let arc = Arc { plane: WorkPlane::Zx, end: [2.0, 5.0, 1.0, 6.0, 7.0, 8.0], centre: [3.0, 4.0], turns: -2 };
+        let arc = CanonArc { plane: WorkPlane::Zx, end: [2.0, 5.0, 1.0, 6.0, 7.0, 8.0], centre: [3.0, 4.0], turns: -2 };
         assert_eq!(motions(calls), [Motion::Arc(arc), Motion::Feed([1.0, -2.0, 3.0, 4.0, 5.0, 6.0])]);
     }
 

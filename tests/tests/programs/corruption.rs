@@ -11,7 +11,7 @@ use std::fs;
 use std::io::Cursor;
 
 use nalgebra::Vector3;
-use pp_runtime::check::read::{Action, ArcMove, Block, CycleKind, CycleMove, FeedMode, Side, State, TipControl};
+use pp_runtime::check::read::{Action, ArcMove, Block, CycleKind, CycleMove, FeedMode, SideOfPath, State, TipControl};
 use pp_runtime::check::{blocks, check};
 use pp_runtime::config::{Config, Mode, Operations, TcpWords, Units, starting_point};
 use pp_runtime::control::Control;
@@ -320,7 +320,10 @@ fn state_difference(was: &State, is: &State) -> Option<String> {
         (feeds(was) != feeds(is), "feed mode"),
         ((was.tip_control == TipControl::Off) != (is.tip_control == TipControl::Off), "tip control"),
         (was.tilt.map(|tilt| tilt.oriented) != is.tilt.map(|tilt| tilt.oriented), "tilt"),
-        (was.side.is_some_and(|side| side != Side::None) && was.diameter != is.diameter, "register of the radius"),
+        (
+            was.side.is_some_and(|side| side != SideOfPath::None) && was.diameter != is.diameter,
+            "register of the radius",
+        ),
     ];
     differences.iter().find(|(differs, _)| *differs).map(|(_, what)| (*what).to_owned())
 }

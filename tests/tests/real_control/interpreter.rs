@@ -14,7 +14,7 @@ use pp_runtime::kinematics::{AxisKind, Machine};
 use tests::binaries::{binary, workspace};
 use tests::by_name;
 use tests::linuxcnc::installed;
-use tests::linuxcnc::interpreter::{Arc, Motion, PRINTED, interpret, motions};
+use tests::linuxcnc::interpreter::{CanonArc, Motion, PRINTED, interpret, motions};
 use tests::with_machine;
 
 /// Numbers of motions that have been compared.
@@ -109,7 +109,7 @@ impl<M: Machine> Comparison<'_, M> {
     }
 
     /// Compares plane, centre, sense and revolutions of an arc.
-    fn arc(&self, block: &Block, ours: &ArcMove, theirs: &Arc) {
+    fn arc(&self, block: &Block, ours: &ArcMove, theirs: &CanonArc) {
         assert_eq!(block.state.plane, Some(theirs.plane), "{}", self.context);
         let [first, second, _] = theirs.plane.axes();
         for (axis, there) in [first, second].into_iter().zip(theirs.centre) {

@@ -26,13 +26,13 @@ const LONG: usize = 14;
 /// Numbers with more binary digits than this in numerator or denominator are not factored out of a sum.
 const DIGITS: u64 = 20;
 
-type Monomial = Vec<(Symbol, u32)>;
-type Terms = BTreeMap<Monomial, Surd>;
+type FactoredMonomial = Vec<(Symbol, u32)>;
+type FactoredTerms = BTreeMap<FactoredMonomial, Surd>;
 /// A term of a sum, and its place there.
-type Part = (Vec<usize>, Formula);
+type TermOfSum = (Vec<usize>, Formula);
 
 pub(crate) fn of_poly(model: &Model, ring: &Ring, poly: &Poly) -> Formula {
-    let terms: Terms = poly.terms().map(|(powers, factor)| (powers.to_vec(), factor.clone())).collect();
+    let terms: FactoredTerms = poly.terms().map(|(powers, factor)| (powers.to_vec(), factor.clone())).collect();
     let names = SymbolNames::new(model, ring);
     let circles = names.circles();
     let writer = Writer { names, circles };
@@ -46,7 +46,7 @@ struct Writer<'a> {
 
 impl Writer<'_> {
     /// A formula on its own: its sign is factored out only if every term has it.
-    fn formula(&self, terms: Terms) -> Formula {
+    fn formula(&self, terms: FactoredTerms) -> Formula {
         let terms = self.shortest(terms);
         let (number, powers, rest) = self.content(&terms);
         if powers.is_empty() && number.is_one() && rest.len() > 1 {
@@ -56,7 +56,7 @@ impl Writer<'_> {
     }
 
     /// `number · powers · rest · also`.
-    fn product(&self, number: Surd, powers: &Monomial, rest: Terms, also: Option<Formula>) -> Formula {
+    fn product(&self, number: Surd, powers: &FactoredMonomial, rest: FactoredTerms, also: Option<Formula>) -> Formula {
         let mut number = number;
         let mut names = Vec::new();
         let mut sin_cos = Vec::new();
@@ -93,7 +93,7 @@ impl Writer<'_> {
     }
 
     /// Common number, common powers, and the remaining terms.
-    fn content(&self, terms: &Terms) -> (Surd, Monomial, Terms) {
+    fn content(&self, terms: &FactoredTerms) -> (Surd, FactoredMonomial, FactoredTerms) {
         let mut common: Option<BTreeMap<Symbol, u32>> = None;
         for monomial in terms.keys() {
             let powers: BTreeMap<Symbol, u32> = monomial.iter().copied().collect();
@@ -105,10 +105,10 @@ impl Writer<'_> {
                     .collect(),
             });
         }
-        let common: Monomial = common.unwrap_or_default().into_iter().collect();
+        let common: FactoredMonomial = common.unwrap_or_default().into_iter().collect();
         let number = common_number(&terms.values().collect::<Vec<_>>());
-        let Some(inverse) = number.inverse() else { return (Surd::one(), Monomial::new(), terms.clone()) };
-        let rest: Terms =
+        let Some(inverse) = number.inverse() else { return (Surd::one(), FactoredMonomial::new(), terms.clone()) };
+        let rest: FactoredTerms =
             terms.iter().map(|(monomial, factor)| (divided(monomial, &common), factor * &inverse)).collect();
         let alone = common.is_empty() && number.is_one();
         let negate =
@@ -116,34 +116,35 @@ impl Writer<'_> {
         if negate && self.leads_with_minus(&rest) { (-&number, common, minus(rest)) } else { (number, common, rest) }
     }
 
-    fn leads_with_minus(&self, terms: &Terms) -> bool {
+    fn leads_with_minus(&self, terms: &FactoredTerms) -> bool {
         let first = terms.iter().min_by_key(|(monomial, _)| self.key(monomial, terms));
         first.is_some_and(|(_, factor)| is_negative(factor))
     }
 
     /// Horner's scheme: the parts of a sum, each with its place in the sum `whole`.
-    fn parts(&self, terms: &Terms, whole: &Terms) -> Vec<Part> {
+    fn parts(&self, terms: &FactoredTerms, whole: &FactoredTerms) -> Vec<TermOfSum> {
         let options = self.options(terms);
         let tried = if terms.len() > LONG { 1 } else { options.len() };
         let written = options.into_iter().take(tried).map(|option| self.with(terms, option, whole));
         // The first of the shortest.
         written.min_by_key(|parts| parts.iter().map(|(_, part)| part.size()).sum::<usize>()).unwrap_or_else(|| {
-            let part = |(monomial, factor): (&Monomial, &Surd)| {
+            let part = |(monomial, factor): (&FactoredMonomial, &Surd)| {
                 (self.key(monomial, whole), self.product(factor.clone(), monomial, unit(), None))
             };
             terms.iter().map(part).collect()
         })
     }
 
-    fn with(&self, terms: &Terms, option: HornerStep, whole: &Terms) -> Vec<Part> {
-        let first = |part: &Terms| part.keys().map(|monomial| self.key(monomial, whole)).min().unwrap_or_default();
-        let has = |monomial: &Monomial, symbol: Symbol| monomial.iter().any(|(other, _)| *other == symbol);
-        let mut rest = Terms::new();
+    fn with(&self, terms: &FactoredTerms, option: HornerStep, whole: &FactoredTerms) -> Vec<TermOfSum> {
+        let first =
+            |part: &FactoredTerms| part.keys().map(|monomial| self.key(monomial, whole)).min().unwrap_or_default();
+        let has = |monomial: &FactoredMonomial, symbol: Symbol| monomial.iter().any(|(other, _)| *other == symbol);
+        let mut rest = FactoredTerms::new();
         let mut parts = Vec::new();
         match option {
             HornerStep::Factor(symbol) => {
                 let power = vec![(symbol, 1)];
-                let (mut inside, mut factored) = (Terms::new(), Terms::new());
+                let (mut inside, mut factored) = (FactoredTerms::new(), FactoredTerms::new());
                 for (monomial, factor) in terms {
                     if has(monomial, symbol) {
                         inside.insert(divided(monomial, &power), factor.clone());
@@ -155,7 +156,7 @@ impl Writer<'_> {
                 parts.push((first(&factored), self.factored_out(inside, &power, None)));
             }
             HornerStep::OneAnd(symbol) => {
-                let (mut plus, mut minus) = (Terms::new(), Terms::new());
+                let (mut plus, mut minus) = (FactoredTerms::new(), FactoredTerms::new());
                 for (monomial, factor) in terms.iter().filter(|(monomial, _)| !has(monomial, symbol)) {
                     let mut with = monomial.clone();
                     with.push((symbol, 1));
@@ -171,7 +172,7 @@ impl Writer<'_> {
                 for (part, cosine) in [(plus, cosine.clone()), (minus, cosine.negated())] {
                     if !part.is_empty() {
                         let bracket = Formula::Sum(vec![Formula::integer(1), cosine]);
-                        parts.push((first(&part), self.factored_out(part, &Monomial::new(), Some(bracket))));
+                        parts.push((first(&part), self.factored_out(part, &FactoredMonomial::new(), Some(bracket))));
                     }
                 }
             }
@@ -190,7 +191,7 @@ impl Writer<'_> {
     }
 
     /// `inside · powers · also`, the sign of the leading term first.
-    fn factored_out(&self, inside: Terms, powers: &Monomial, also: Option<Formula>) -> Formula {
+    fn factored_out(&self, inside: FactoredTerms, powers: &FactoredMonomial, also: Option<Formula>) -> Formula {
         let inside = self.shortest(inside);
         let (mut number, common, mut inside) = self.content(&inside);
         if inside.len() > 1 && self.leads_with_minus(&inside) {
@@ -205,7 +206,7 @@ impl Writer<'_> {
     }
 
     /// Factors that can be taken out of a part of the sum, best first.
-    fn options(&self, terms: &Terms) -> Vec<HornerStep> {
+    fn options(&self, terms: &FactoredTerms) -> Vec<HornerStep> {
         let mut counts: BTreeMap<Symbol, usize> = BTreeMap::new();
         for (symbol, _) in terms.keys().flatten().filter(|(symbol, _)| self.names.is_factor(*symbol)) {
             *counts.entry(*symbol).or_default() += 1;
@@ -225,11 +226,12 @@ impl Writer<'_> {
     }
 
     /// The form with the fewest terms modulo the circles.
-    fn shortest(&self, terms: Terms) -> Terms {
+    fn shortest(&self, terms: FactoredTerms) -> FactoredTerms {
         let mut best = terms;
         for circle in &self.circles {
-            let squared =
-                |terms: &Terms| terms.keys().flatten().any(|(symbol, power)| *power > 1 && circle.contains(symbol));
+            let squared = |terms: &FactoredTerms| {
+                terms.keys().flatten().any(|(symbol, power)| *power > 1 && circle.contains(symbol))
+            };
             for symbol in circle {
                 if !squared(&best) {
                     break;
@@ -246,7 +248,7 @@ impl Writer<'_> {
 
     /// Sort key of a term in a sum, by its names. A number comes after lengths and before sines and cosines; together
     /// with `i j k` a sum begins with a positive term: `1 - k`, but `2 k - 1`.
-    fn key(&self, monomial: &Monomial, among: &Terms) -> Vec<usize> {
+    fn key(&self, monomial: &FactoredMonomial, among: &FactoredTerms) -> Vec<usize> {
         let mut key: Vec<usize> = monomial.iter().map(|(symbol, _)| self.names.place(*symbol)).collect();
         key.sort_unstable();
         if monomial.iter().all(|(symbol, _)| self.names.is_sin_or_cos(*symbol)) {
@@ -274,7 +276,7 @@ enum HornerStep {
 }
 
 /// True if every term with the symbol has a counterpart without it, equal up to the sign.
-fn pairs(terms: &Terms, symbol: Symbol) -> bool {
+fn pairs(terms: &FactoredTerms, symbol: Symbol) -> bool {
     let mut found = false;
     for (monomial, factor) in terms {
         let Some((_, power)) = monomial.iter().find(|(other, _)| *other == symbol) else { continue };
@@ -292,9 +294,9 @@ fn pairs(terms: &Terms, symbol: Symbol) -> bool {
 }
 
 /// `symbol² → 1 - Σ others²`, until no power above 1 is left.
-fn without_square(terms: &Terms, symbol: Symbol, others: &[Symbol]) -> Terms {
-    let mut sum = Terms::new();
-    let mut pending: Vec<(Monomial, Surd)> = terms.iter().map(|(m, c)| (m.clone(), c.clone())).collect();
+fn without_square(terms: &FactoredTerms, symbol: Symbol, others: &[Symbol]) -> FactoredTerms {
+    let mut sum = FactoredTerms::new();
+    let mut pending: Vec<(FactoredMonomial, Surd)> = terms.iter().map(|(m, c)| (m.clone(), c.clone())).collect();
     while let Some((monomial, factor)) = pending.pop() {
         let squared = monomial.iter().any(|(other, power)| *other == symbol && *power > 1);
         if !squared {
@@ -314,18 +316,18 @@ fn without_square(terms: &Terms, symbol: Symbol, others: &[Symbol]) -> Terms {
     sum
 }
 
-fn divided(monomial: &Monomial, by: &Monomial) -> Monomial {
+fn divided(monomial: &FactoredMonomial, by: &FactoredMonomial) -> FactoredMonomial {
     let less = |symbol: Symbol| by.iter().find(|(other, _)| *other == symbol).map_or(0, |(_, power)| *power);
     let powers = monomial.iter().map(|(symbol, power)| (*symbol, power - less(*symbol)));
     powers.filter(|(_, power)| *power > 0).collect()
 }
 
-fn minus(terms: Terms) -> Terms {
+fn minus(terms: FactoredTerms) -> FactoredTerms {
     terms.into_iter().map(|(monomial, factor)| (monomial, -&factor)).collect()
 }
 
-fn unit() -> Terms {
-    Terms::from([(Monomial::new(), Surd::one())])
+fn unit() -> FactoredTerms {
+    FactoredTerms::from([(FactoredMonomial::new(), Surd::one())])
 }
 
 fn is_plain(formula: &Formula) -> bool {
@@ -379,7 +381,7 @@ pub(crate) fn common_number(factors: &[&Surd]) -> Surd {
 }
 
 /// Terms in their order.
-fn joined(mut parts: Vec<Part>) -> Formula {
+fn joined(mut parts: Vec<TermOfSum>) -> Formula {
     parts.sort_by(|(a, _), (b, _)| a.cmp(b));
     let mut terms: Vec<Formula> = Vec::new();
     for (_, part) in parts {

@@ -26,14 +26,14 @@ const FLOAT_DIGITS: usize = 192;
 
 /// A number `Σ q_n √n`, `n` square-free; the empty sum is zero.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Surd(Value);
+pub struct Surd(Coefficient);
 
 /// Square-free radicands with their factors.
 type Terms = BTreeMap<BigUint, BigRational>;
 
 /// Most coefficients are small whole numbers, whose arithmetic needs no memory.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-enum Value {
+enum Coefficient {
     Whole(i64),
     /// Any other number: never a whole one of this size.
     Sum(Terms),
@@ -41,7 +41,7 @@ enum Value {
 
 impl Default for Surd {
     fn default() -> Self {
-        Self(Value::Whole(0))
+        Self(Coefficient::Whole(0))
     }
 }
 
@@ -50,7 +50,7 @@ impl Ord for Surd {
     fn cmp(&self, other: &Self) -> Ordering {
         match (&self.0, &other.0) {
             // The empty sum comes first.
-            (Value::Whole(a), Value::Whole(b)) => (*a != 0, a).cmp(&(*b != 0, b)),
+            (Coefficient::Whole(a), Coefficient::Whole(b)) => (*a != 0, a).cmp(&(*b != 0, b)),
             _ => self.sum().cmp(&other.sum()),
         }
     }
@@ -107,9 +107,9 @@ impl Surd {
     #[must_use]
     pub fn as_rational(&self) -> Option<BigRational> {
         match &self.0 {
-            Value::Whole(whole) => Some(BigRational::from(BigInt::from(*whole))),
-            Value::Sum(terms) if terms.len() == 1 => terms.get(&BigUint::one()).cloned(),
-            Value::Sum(_) => None,
+            Coefficient::Whole(whole) => Some(BigRational::from(BigInt::from(*whole))),
+            Coefficient::Sum(terms) if terms.len() == 1 => terms.get(&BigUint::one()).cloned(),
+            Coefficient::Sum(_) => None,
         }
     }
 
@@ -121,21 +121,23 @@ impl Surd {
     /// True for the empty sum.
     #[must_use]
     pub fn is_zero(&self) -> bool {
-        self.0 == Value::Whole(0)
+        self.0 == Coefficient::Whole(0)
     }
 
     /// True for exactly 1.
     #[must_use]
     pub fn is_one(&self) -> bool {
-        self.0 == Value::Whole(1)
+        self.0 == Coefficient::Whole(1)
     }
 
     /// The number as a sum.
     fn sum(&self) -> Cow<'_, Terms> {
         match &self.0 {
-            Value::Whole(0) => Cow::Owned(Terms::new()),
-            Value::Whole(whole) => Cow::Owned(Terms::from([(BigUint::one(), BigRational::from(BigInt::from(*whole)))])),
-            Value::Sum(terms) => Cow::Borrowed(terms),
+            Coefficient::Whole(0) => Cow::Owned(Terms::new()),
+            Coefficient::Whole(whole) => {
+                Cow::Owned(Terms::from([(BigUint::one(), BigRational::from(BigInt::from(*whole)))]))
+            }
+            Coefficient::Sum(terms) => Cow::Borrowed(terms),
         }
     }
 
@@ -149,7 +151,7 @@ impl Surd {
                 .and_then(|factor| factor.numer().to_i64()),
             _ => None,
         };
-        Self(whole.map_or(Value::Sum(terms), Value::Whole))
+        Self(whole.map_or(Coefficient::Sum(terms), Coefficient::Whole))
     }
 
     /// `1 / self`, by conjugates; `None` for zero.
@@ -307,7 +309,7 @@ fn split_square(mut number: BigUint) -> Option<(BigUint, BigUint)> {
 
 impl From<i64> for Surd {
     fn from(value: i64) -> Self {
-        Self(Value::Whole(value))
+        Self(Coefficient::Whole(value))
     }
 }
 
@@ -320,10 +322,10 @@ impl From<BigRational> for Surd {
 impl Add for &Surd {
     type Output = Surd;
     fn add(self, other: &Surd) -> Surd {
-        if let (Value::Whole(a), Value::Whole(b)) = (&self.0, &other.0)
+        if let (Coefficient::Whole(a), Coefficient::Whole(b)) = (&self.0, &other.0)
             && let Some(sum) = a.checked_add(*b)
         {
-            return Surd(Value::Whole(sum));
+            return Surd(Coefficient::Whole(sum));
         }
         let mut sum = self.sum().into_owned();
         for (radicand, factor) in &*other.sum() {
@@ -343,10 +345,10 @@ impl Sub for &Surd {
 impl Neg for &Surd {
     type Output = Surd;
     fn neg(self) -> Surd {
-        if let Value::Whole(whole) = &self.0
+        if let Coefficient::Whole(whole) = &self.0
             && let Some(negative) = whole.checked_neg()
         {
-            return Surd(Value::Whole(negative));
+            return Surd(Coefficient::Whole(negative));
         }
         Surd::of(self.sum().iter().map(|(radicand, factor)| (radicand.clone(), -factor)).collect())
     }
@@ -355,10 +357,10 @@ impl Neg for &Surd {
 impl Mul for &Surd {
     type Output = Surd;
     fn mul(self, other: &Surd) -> Surd {
-        if let (Value::Whole(a), Value::Whole(b)) = (&self.0, &other.0)
+        if let (Coefficient::Whole(a), Coefficient::Whole(b)) = (&self.0, &other.0)
             && let Some(product) = a.checked_mul(*b)
         {
-            return Surd(Value::Whole(product));
+            return Surd(Coefficient::Whole(product));
         }
         let mut product = Terms::new();
         for (n, p) in &*self.sum() {

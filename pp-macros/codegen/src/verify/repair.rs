@@ -4,7 +4,7 @@ use crate::model::{AxisKind, Model};
 use crate::syntax::{Expr, ExprKind};
 
 /// An expression with one change, and the change in words.
-pub(crate) struct Change {
+pub(crate) struct ChangedExpression {
     pub(crate) expr: Expr,
     pub(crate) words: String,
     /// Order of trying: likelier mistakes first.
@@ -12,7 +12,7 @@ pub(crate) struct Change {
 }
 
 /// All changes of an expression that are tried, the likeliest first.
-pub(crate) fn changes(expr: &Expr, model: &Model) -> Vec<Change> {
+pub(crate) fn changes(expr: &Expr, model: &Model) -> Vec<ChangedExpression> {
     let mut found = Vec::new();
     collect_changes(expr, true, model, &mut found, &|inner| inner);
     changes_of_names(expr, &mut found);
@@ -22,7 +22,7 @@ pub(crate) fn changes(expr: &Expr, model: &Model) -> Vec<Change> {
 
 /// Changes of every occurrence of a name: the source counts it in the opposite direction, or measures the angle from
 /// another direction.
-fn changes_of_names(expr: &Expr, found: &mut Vec<Change>) {
+fn changes_of_names(expr: &Expr, found: &mut Vec<ChangedExpression>) {
     for name in expr.names() {
         let is_call = |call: &Expr, function: &str| match &call.kind {
             ExprKind::Call(known, arguments) if known == function => {
@@ -42,7 +42,7 @@ fn changes_of_names(expr: &Expr, found: &mut Vec<Change>) {
             _ => None,
         });
         let words = format!("exchange `sin({name})` and `cos({name})` wherever they occur");
-        found.push(Change { expr: exchanged, words, rank: 6 });
+        found.push(ChangedExpression { expr: exchanged, words, rank: 6 });
         let reversed = expr.replace(&|part| {
             let name = matches!(&part.kind, ExprKind::Name(known) if known == name);
             name.then(|| Expr { phrase: part.phrase, kind: ExprKind::Neg(Box::new(part.clone())) })
@@ -50,7 +50,7 @@ fn changes_of_names(expr: &Expr, found: &mut Vec<Change>) {
         let words = format!(
             "it is true with `-{name}` in place of `{name}`: the source counts {name} in the opposite direction"
         );
-        found.push(Change { expr: reversed, words, rank: 6 });
+        found.push(ChangedExpression { expr: reversed, words, rank: 6 });
     }
 }
 
@@ -59,7 +59,7 @@ fn collect_changes(
     expr: &Expr,
     may_be_negated: bool,
     model: &Model,
-    found: &mut Vec<Change>,
+    found: &mut Vec<ChangedExpression>,
     whole: &dyn Fn(Expr) -> Expr,
 ) {
     changes_of_node(expr, model, found, whole);
@@ -68,19 +68,23 @@ fn collect_changes(
         let negated = negated(expr);
         // Papers print the sign inside an inverse function.
         let rank = if matches!(&expr.kind, ExprKind::Call(name, _) if is_inverse(name)) { 3 } else { 2 };
-        found.push(Change { words: format!("write `{negated}` in place of `{expr}`"), expr: whole(negated), rank });
+        found.push(ChangedExpression {
+            words: format!("write `{negated}` in place of `{expr}`"),
+            expr: whole(negated),
+            rank,
+        });
     }
     changes_of_parts(expr, model, found, whole);
 }
 
 /// Changes of the expression itself.
-fn changes_of_node(expr: &Expr, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr) -> Expr) {
+fn changes_of_node(expr: &Expr, model: &Model, found: &mut Vec<ChangedExpression>, whole: &dyn Fn(Expr) -> Expr) {
     let mut change = |rank: u8, new: Expr| {
         // A sum in the place of a factor keeps its parentheses.
         let sum = |expr: &Expr| matches!(expr.kind, ExprKind::Binary(_, '+' | '-', _));
         let text = if sum(&new) && !sum(expr) { format!("({new})") } else { new.to_string() };
         let words = format!("write `{text}` in place of `{expr}`");
-        found.push(Change { expr: whole(new), words, rank });
+        found.push(ChangedExpression { expr: whole(new), words, rank });
     };
     let with = |kind: ExprKind| Expr { phrase: expr.phrase, kind };
     match &expr.kind {
@@ -101,12 +105,12 @@ fn changes_of_node(expr: &Expr, model: &Model, found: &mut Vec<Change>, whole: &
         ExprKind::Binary(left, operator @ ('+' | '-'), right) => {
             let (other, sign) = if *operator == '+' { ('-', '-') } else { ('+', '+') };
             let term = |sign: char| format!("{sign} {right}");
-            found.push(Change {
+            found.push(ChangedExpression {
                 expr: whole(with(ExprKind::Binary(left.clone(), other, right.clone()))),
                 words: format!("write `{}` in place of `{}`", term(sign), term(*operator)),
                 rank: 1,
             });
-            found.push(Change {
+            found.push(ChangedExpression {
                 expr: whole((**left).clone()),
                 words: format!("leave out `{}`", term(*operator)),
                 rank: 5,
@@ -117,7 +121,7 @@ fn changes_of_node(expr: &Expr, model: &Model, found: &mut Vec<Change>, whole: &
 }
 
 /// Changes of its parts.
-fn changes_of_parts(expr: &Expr, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr) -> Expr) {
+fn changes_of_parts(expr: &Expr, model: &Model, found: &mut Vec<ChangedExpression>, whole: &dyn Fn(Expr) -> Expr) {
     let with = |kind: ExprKind| Expr { phrase: expr.phrase, kind };
     match &expr.kind {
         ExprKind::Number(..) | ExprKind::Name(_) => {}

@@ -15,7 +15,7 @@ const POINTS: usize = 4_000;
 /// Rounding error of a sum, as a share of the sum of the absolute values of its terms.
 const ROUNDING: f64 = 1e-9;
 
-type Point = BTreeMap<Symbol, f64>;
+type WitnessPoint = BTreeMap<Symbol, f64>;
 
 /// Signs that an equation needs, as polynomials.
 #[derive(Debug, Clone, Default)]
@@ -57,7 +57,7 @@ impl Region {
     }
 
     /// True if all claims hold at a point: by more than rounding where they are strict.
-    fn contains(&self, point: &Point) -> bool {
+    fn contains(&self, point: &WitnessPoint) -> bool {
         let mut point = point.clone();
         self.add_dependent_values(&mut point)
             && self.claims.positive.iter().all(|poly| self.is_positive(poly, &point, true))
@@ -65,7 +65,7 @@ impl Region {
     }
 
     /// Adds the values of reciprocals and roots; false where one does not exist.
-    fn add_dependent_values(&self, point: &mut Point) -> bool {
+    fn add_dependent_values(&self, point: &mut WitnessPoint) -> bool {
         for (symbol, dependence, of) in &self.dependent {
             let Some((value, rounding)) = self.value_at(of, point) else { return false };
             let value = match dependence {
@@ -82,13 +82,13 @@ impl Region {
         true
     }
 
-    fn is_positive(&self, poly: &Poly, point: &Point, strictly: bool) -> bool {
+    fn is_positive(&self, poly: &Poly, point: &WitnessPoint, strictly: bool) -> bool {
         let Some((value, rounding)) = self.value_at(poly, point) else { return false };
         if strictly { value > rounding } else { value >= -rounding }
     }
 
     /// Value of a polynomial, and a bound of its rounding error.
-    fn value_at(&self, poly: &Poly, point: &Point) -> Option<(f64, f64)> {
+    fn value_at(&self, poly: &Poly, point: &WitnessPoint) -> Option<(f64, f64)> {
         let of = |symbol: Symbol| point.get(&symbol).copied();
         Some((self.ring.evaluate(poly, &of)?, ROUNDING * self.ring.magnitude(poly, &of)?))
     }
@@ -134,8 +134,8 @@ pub(crate) fn has_witness(scope: &Scope<'_>, regions: &[&Region]) -> bool {
 }
 
 /// Default values of dimensions and of held linear axes.
-fn defaults(scope: &Scope<'_>) -> Point {
-    let mut values = Point::new();
+fn defaults(scope: &Scope<'_>) -> WitnessPoint {
+    let mut values = WitnessPoint::new();
     for dimension in &scope.model().dimensions {
         let Some(default) = dimension.known().map(to_f64) else { continue };
         match dimension.quantity {

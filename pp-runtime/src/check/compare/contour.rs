@@ -6,14 +6,14 @@
 use nalgebra::Vector2;
 
 use super::super::geometry::{ContourSide, FitTool, FittedSide, NoFit};
-use super::super::read::{Action, ArcMove, Side, WorkPlane};
+use super::super::read::{Action, ArcMove, SideOfPath, WorkPlane};
 use super::{Comparison, Current};
 use crate::program::Units;
 
 /// Contour that is being followed.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct ContourState {
-    side: Side,
+    side: SideOfPath,
     /// The tool, or its largest wear to both sides; each with the last side.
     tools: [Option<(FitTool, Option<FittedSide>)>; 2],
     /// Line of the CL data with the last side.
@@ -27,15 +27,15 @@ impl Comparison<'_> {
     #[inline]
     pub(super) fn follow_contour(&mut self, current: &Current<'_>) {
         let side = current.block.state.side.unwrap_or_default();
-        if side != Side::None || self.contour.side != Side::None {
+        if side != SideOfPath::None || self.contour.side != SideOfPath::None {
             self.offset_contour(side, current);
         }
     }
 
     #[inline(never)]
-    fn offset_contour(&mut self, side: Side, current: &Current<'_>) {
+    fn offset_contour(&mut self, side: SideOfPath, current: &Current<'_>) {
         let line_number = self.progress.location().line;
-        let begins = self.contour.side == Side::None;
+        let begins = self.contour.side == SideOfPath::None;
         if begins {
             self.contour = ContourState { side, tools: self.tools_on(side), last_line: line_number, idle: 0 };
         }
@@ -57,7 +57,7 @@ impl Comparison<'_> {
             let fitted = match last {
                 None if begins => FittedSide::first(path, tool.radius).map(Some),
                 None => continue,
-                Some(last) if side == Side::None => last.last(&path, tool).map(|()| None),
+                Some(last) if side == SideOfPath::None => last.last(&path, tool).map(|()| None),
                 Some(last) => last.next(path, tool).map(Some),
             };
             match fitted {
@@ -73,7 +73,7 @@ impl Comparison<'_> {
             self.found_any(current, text);
         }
         self.contour.last_line = line_number;
-        if side == Side::None {
+        if side == SideOfPath::None {
             self.contour = ContourState::default();
         }
     }
@@ -81,7 +81,7 @@ impl Comparison<'_> {
     /// A block in a contour that moves nothing.
     pub(super) fn stands_in_contour(&mut self, current: &Current<'_>) {
         let block = current.block;
-        if self.contour.side != Side::None && !block.goes_on {
+        if self.contour.side != SideOfPath::None && !block.goes_on {
             self.idle_in_contour(block.looked_over, current);
         }
     }
@@ -109,8 +109,8 @@ impl Comparison<'_> {
     }
 
     /// The tools that have to fit.
-    fn tools_on(&self, side: Side) -> [Option<(FitTool, Option<FittedSide>)>; 2] {
-        let left = side == Side::Left;
+    fn tools_on(&self, side: SideOfPath) -> [Option<(FitTool, Option<FittedSide>)>; 2] {
+        let left = side == SideOfPath::Left;
         let in_inches = self.rules.units() == Units::Inches;
         let straight = self
             .rules

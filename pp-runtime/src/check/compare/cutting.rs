@@ -12,8 +12,8 @@ use nalgebra::Vector3;
 use super::super::expect::{ClMotion, ExpectedAction, ExpectedHole, Required};
 use super::super::geometry::{PathShape, Segment, ToolPose, angle_between, is_within_angle};
 use super::super::policy::RapidForm;
-use super::super::read::{Action, Block, MAX_AXES, Side};
-use super::super::rules::{Deviation, DeviationBound, LinkForm, ModalContext, StateFault, Stroke};
+use super::super::read::{Action, Block, MAX_AXES, SideOfPath};
+use super::super::rules::{Deviation, DeviationBound, ModalContext, RotatingRapid, StateFault, Stroke};
 use super::hole::lean_of_words;
 use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidStart, RapidSteps, RetractedLength, RewindPoint};
@@ -175,7 +175,7 @@ impl Comparison<'_> {
             let (here, hole) = (cutting.here.as_ref(), item.hole.clone());
             let (at, required, feed) = (item.at, Rc::clone(&item.required), self.rules.feed_of(motion));
             let segment = self.progress.segment(motion, here, end);
-            let mut part = Part { segment, rapid, starts, feed, share: 0.0, at, required };
+            let mut part = MotionPart { segment, rapid, starts, feed, share: 0.0, at, required };
             // A full circle ends where it began, like a motion to the same point before it; so does a rapid after a cut
             // of no length.
             let other = matches!(block.action, Action::Arc(_)) || (block.action.is_rapid() && !rapid);
@@ -210,7 +210,7 @@ impl Comparison<'_> {
 
     /// Whether a block has the feed of a motion. `here`, `end`: poses before and after it. Asked of few blocks.
     #[inline(never)]
-    fn has_feed_of(&self, here: Option<&ToolPose>, (block, end): (&Block, &ToolPose), part: &Part) -> bool {
+    fn has_feed_of(&self, here: Option<&ToolPose>, (block, end): (&Block, &ToolPose), part: &MotionPart) -> bool {
         let (rules, words, segment) = (&self.rules, &self.previous.words, &part.segment);
         let length = segment.length();
         // What is left of a motion that is done but for a rotation.
@@ -233,7 +233,12 @@ impl Comparison<'_> {
     /// Share of a rapid to a hole or on its axis that a block has done: it may stop on its way down, because a cycle of the control
     /// returns to where it began. Words across the tool are those of the clearance level at every height; from there words along
     /// it follow the axis that the machine has. Its tolerance holds for what both lead off each other.
-    fn share_over_hole(&self, part: &Part, hole: &ExpectedHole, (block, end): (&Block, &ToolPose)) -> Option<f64> {
+    fn share_over_hole(
+        &self,
+        part: &MotionPart,
+        hole: &ExpectedHole,
+        (block, end): (&Block, &ToolPose),
+    ) -> Option<f64> {
         let (segment, rounding) = (&part.segment, self.rules.rounding());
         let largest = BOTH * rounding.tip_mm;
         let along = |step: Vector3<f64>| step.dot(&end.axis);
@@ -258,7 +263,7 @@ impl Comparison<'_> {
     }
 
     /// A block that carries out a part of a motion: its state, its path, its feed.
-    fn travelled(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose, part: &Part) {
+    fn travelled(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose, part: &MotionPart) {
         let block = current.block;
         let on = part.segment.at(part.share);
         if !part.rapid || part.share >= 1.0 {
@@ -318,8 +323,8 @@ impl Comparison<'_> {
     }
 
     /// What has to be on or off in a part of a motion; `rotates`: its rotary axes may rotate at feed.
-    fn compare_functions(&mut self, current: &Current<'_>, part: &Part, rotates: bool) {
-        if part.required.side != Side::None {
+    fn compare_functions(&mut self, current: &Current<'_>, part: &MotionPart, rotates: bool) {
+        if part.required.side != SideOfPath::None {
             let unguarded = self.functions.cut_with_radius(&self.rules);
             self.found_any(current, unguarded);
         }
@@ -337,7 +342,7 @@ impl Comparison<'_> {
     }
 
     /// A part of a motion is done, at feed or not, as a link or not.
-    fn finish_part(&mut self, cutting: &mut Cutting, end: &ToolPose, part: &Part, (at_feed, link): (bool, bool)) {
+    fn finish_part(&mut self, cutting: &mut Cutting, end: &ToolPose, part: &MotionPart, (at_feed, link): (bool, bool)) {
         let required = Rc::clone(&part.required);
         if part.share >= 1.0 {
             self.progress.pass();
@@ -355,7 +360,7 @@ impl Comparison<'_> {
 
     /// Rules of a block that carries out a part of a rapid.
     #[inline(never)]
-    fn rapid_rules(&mut self, cutting: &mut Cutting, current: &Current<'_>, part: &Part) -> RapidRules {
+    fn rapid_rules(&mut self, cutting: &mut Cutting, current: &Current<'_>, part: &MotionPart) -> RapidRules {
         let begun = cutting.rapid_from.take();
         let is_begun = begun.as_ref().is_some_and(|begun| !begun.is_corner);
         // The corner of a rapid in two blocks is on neither half of its line.
@@ -408,7 +413,7 @@ impl Comparison<'_> {
 
     /// Reports a rapid that rotates the rotary axes at the part.
     pub(super) fn rotates_at_part(&mut self, current: &Current<'_>) {
-        if self.rules.link_form() != LinkForm::OneRapid {
+        if self.rules.link_form() != RotatingRapid::OneRapid {
             self.found(current, "this rapid rotates the rotary axes near the part: the retract before it is missing");
         }
     }
@@ -418,7 +423,7 @@ impl Comparison<'_> {
         &mut self,
         current: &Current<'_>,
         (ends, on): ([&ToolPose; 2], &ToolPose),
-        part: &Part,
+        part: &MotionPart,
     ) -> BetweenEnds {
         if let Some(bound) = self.small_deviation(current, (ends, on), part) {
             return BetweenEnds::Within(bound);
@@ -428,7 +433,7 @@ impl Comparison<'_> {
 
     /// The same at points between the ends, where bounds do not decide.
     #[inline(never)]
-    fn compare_points(&mut self, current: &Current<'_>, ends: [&ToolPose; 2], part: &Part) -> BetweenEnds {
+    fn compare_points(&mut self, current: &Current<'_>, ends: [&ToolPose; 2], part: &MotionPart) -> BetweenEnds {
         let path = self.rules.path(self.previous.words, current.block);
         let along = self.progress.along();
         let Some(deviation) = self.rules.deviation(&path, ends, &part.segment, along) else {
@@ -465,7 +470,7 @@ impl Comparison<'_> {
     }
 
     /// Largest deviations of tip and tool axis from a motion between the ends of a block, mm and rad.
-    fn largest_between(&self, part: &Part) -> (f64, f64) {
+    fn largest_between(&self, part: &MotionPart) -> (f64, f64) {
         let rounding = self.rules.rounding();
         let axis_rad = self.rules.policy().tolerances.axis_path_rad + rounding.pole_rad;
         (part.required.tolerance_mm + rounding.tip_mm, axis_rad)
@@ -477,7 +482,7 @@ impl Comparison<'_> {
         &self,
         current: &Current<'_>,
         (ends, on): ([&ToolPose; 2], &ToolPose),
-        part: &Part,
+        part: &MotionPart,
     ) -> Option<DeviationBound> {
         if !Shortcut::DeviationBounds.is_on() {
             return None;
@@ -501,7 +506,7 @@ impl Comparison<'_> {
         &self,
         current: &Current<'_>,
         (ends, on): ([&ToolPose; 2], &ToolPose),
-        part: &Part,
+        part: &MotionPart,
         enough_mm: f64,
     ) -> Option<DeviationBound> {
         let block = current.block;
@@ -520,7 +525,7 @@ impl Comparison<'_> {
     fn compare_feed(
         &mut self,
         current: &Current<'_>,
-        part: &Part,
+        part: &MotionPart,
         (ends, along): ([&ToolPose; 2], f64),
         between: BetweenEnds,
     ) {
@@ -550,7 +555,7 @@ impl Comparison<'_> {
     fn compare_feed_closely(
         &mut self,
         current: &Current<'_>,
-        part: &Part,
+        part: &MotionPart,
         (ends, along): ([&ToolPose; 2], f64),
         stroke: Stroke,
         between: BetweenEnds,
@@ -659,7 +664,9 @@ impl Comparison<'_> {
         let FinishedMotion { segment, required, at_feed, link, .. } = &*finished;
         let same_kind = match block.action {
             Action::Feed | Action::Arc(_) => *at_feed,
-            Action::Rapid => !*at_feed && (*link || rules.link_form() == LinkForm::OneRapid || !self.rotates(block)),
+            Action::Rapid => {
+                !*at_feed && (*link || rules.link_form() == RotatingRapid::OneRapid || !self.rotates(block))
+            }
             _ => false,
         };
         let before = &self.previous.words;
@@ -859,7 +866,7 @@ enum BetweenEnds {
 }
 
 /// A part of a motion that a block carries out, from where the last one has ended.
-struct Part {
+struct MotionPart {
     segment: Segment,
     rapid: bool,
     starts: bool,

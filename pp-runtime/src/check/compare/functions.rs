@@ -8,8 +8,8 @@ use nalgebra::Vector3;
 use super::super::expect::{Required, RequiredSmoothing, SpindleState};
 use super::super::policy::{LinearMeaning, SmoothingLevel};
 use super::super::read::{
-    Action, BlankPart, Block, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, Smoothing, SmoothingWords,
-    State,
+    Action, BlankPart, Block, Guard, GuardSource, Length, LengthSource, OwnPlace, PathMode, PathSmoothing,
+    SmoothingWords, State,
 };
 use super::super::rules::Rules;
 use super::phase::Phase;
@@ -290,10 +290,10 @@ impl FunctionState {
         }
         let policy = rules.policy();
         match (expected.level, state.smoothing) {
-            (None, Smoothing::Off) => None,
-            (None, Smoothing::On { .. }) => Some("smoothing is on, expected off".to_owned()),
-            (Some(_), Smoothing::Off) => Some("smoothing is off, expected on".to_owned()),
-            (Some(level), Smoothing::On { tolerance_mm, level: written }) => {
+            (None, PathSmoothing::Off) => None,
+            (None, PathSmoothing::On { .. }) => Some("smoothing is on, expected off".to_owned()),
+            (Some(_), PathSmoothing::Off) => Some("smoothing is off, expected on".to_owned()),
+            (Some(level), PathSmoothing::On { tolerance_mm, level: written }) => {
                 let SmoothingWords { tolerance, levels } = rules.facts().smoothing;
                 let index = match level {
                     SmoothingLevel::Rough => 0,

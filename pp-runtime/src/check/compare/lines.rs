@@ -2,7 +2,7 @@
 
 use super::super::expect::{ExpectedAction, ExpectedItem};
 use super::super::policy::LinearMeaning;
-use super::super::read::{Action, Block, Effect, Form, Length, OwnLine, OwnPlace, State, coolant, stated};
+use super::super::read::{Action, Block, Effect, Length, LineForm, OwnLine, OwnPlace, State, coolant, stated};
 use super::functions::place_of_line;
 use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::Phase;
@@ -68,7 +68,7 @@ impl Comparison<'_> {
     fn switched_twice(&mut self, block: &Block, at_part: bool, current: &Current<'_>) {
         let (before, now) = (&self.setters.at_block, &block.state);
         // In statements the speed has a line of its own.
-        let speeds = self.rules.facts().form != Form::Statements;
+        let speeds = self.rules.facts().form != LineForm::Statements;
         let runs = |state: &State| state.spindle.flatten().map(|rotation| (rotation, state.speed.filter(|_| speeds)));
         let on = |state: &State| state.coolant.filter(|on| *on != 0);
         let changes = [runs(before) != runs(now), on(before) != on(now)];

@@ -40,7 +40,7 @@ use super::expect::{Expect, ExpectedAction, ExpectedItem, Required};
 use super::geometry::ToolPose;
 use super::policy::CheckPolicy;
 use super::read::{Action, ArcMove, Block, Length, MAX_AXES, PlacedLines, State, TipControl, WorkPlane};
-use super::report::{Shown, Tally};
+use super::report::{ShownBlock, Tally};
 use super::rules::{ModalContext, OffsetsInForce, Rules, StateFault, StateItem, chord};
 use super::stream::{ExecutedBlock, Observer};
 use super::travel::{Findings, Travel};
@@ -115,12 +115,12 @@ struct Comparison<'a> {
     /// Blocks of the shop's machine retract that have come.
     own_retract: usize,
     restarts: Restarts,
-    way: Way,
+    way: BlockMeaning,
 }
 
 /// Which of two meanings a block has.
 #[derive(Debug, Clone, Copy, Default)]
-struct Way {
+struct BlockMeaning {
     /// The block at hand has been found to have two.
     two: bool,
     /// It has the second.
@@ -129,7 +129,7 @@ struct Way {
     keeps_rapids: bool,
 }
 
-impl Way {
+impl BlockMeaning {
     /// Before another block.
     fn forget(&mut self) {
         (self.two, self.other) = (false, false);
@@ -220,7 +220,7 @@ impl Setters {
 #[derive(Clone, Copy)]
 struct Current<'b> {
     block: &'b Block,
-    shown: Shown<'b>,
+    shown: ShownBlock<'b>,
     /// The record that was next when the block began.
     at: Location,
     /// Its modes are those of the last block, which has been compared.
@@ -274,7 +274,7 @@ impl<'a> Checker<'a> {
             at_station: Default::default(),
             own_retract: 0,
             restarts: Restarts::default(),
-            way: Way::default(),
+            way: BlockMeaning::default(),
         };
         let reading = Reading { comparison, phase: Phase::Unknown { stopped: false } };
         Self { reading, others: Vec::new(), apart: 0, before: State::default() }
@@ -369,7 +369,7 @@ impl Reading<'_> {
                 true => "the program breaks off before the end of the CL data",
                 false => "the program has no end code",
             };
-            comparison.tally.found(comparison.progress.location(), Shown { line: lines, text: b"" }, text);
+            comparison.tally.found(comparison.progress.location(), ShownBlock { line: lines, text: b"" }, text);
         }
     }
 
@@ -420,7 +420,7 @@ impl Reading<'_> {
             && compared
             && block.only_moves
             && block.skippable == comparison.previous.skippable;
-        let shown = Shown { line: block.line, text };
+        let shown = ShownBlock { line: block.line, text };
         let current = Current { block, shown, at: comparison.progress.location(), same_modes };
         comparison.stop_at_fault(&current);
         if !same_modes {
@@ -616,7 +616,7 @@ impl Comparison<'_> {
             Some(StateFault { text, called: Some(at), .. }) => self.tally.found_once(at, current.shown, &text),
             Some(StateFault { text, set, .. }) => {
                 let line = set.and_then(|item| self.setters.line_of(item));
-                let shown = line.map_or(current.shown, |(line, text)| Shown { line: *line, text });
+                let shown = line.map_or(current.shown, |(line, text)| ShownBlock { line: *line, text });
                 self.tally.found(self.progress.location(), shown, &text);
             }
             None => {}

@@ -9,7 +9,7 @@ mod rows;
 use std::rc::Rc;
 
 use super::super::policy::CheckPolicy;
-use super::super::read::{Form, stated};
+use super::super::read::{LineForm, stated};
 use super::super::rules::fault_at_end;
 use super::functions::ClampsDue;
 use super::phase::Phase;
@@ -151,7 +151,7 @@ impl Comparison<'_> {
             Duty::PlaneGuard => {}
             // The control executes its IF whatever the block skip switch is set to, so it has come before.
             Duty::OffsetGuard if !self.rules.facts().offset_guard => {}
-            Duty::OffsetGuard if current.block.skippable && self.rules.facts().form == Form::Keywords => {}
+            Duty::OffsetGuard if current.block.skippable && self.rules.facts().form == LineForm::Keywords => {}
             Duty::OffsetGuard if self.duties.take(what) => self.found(current, OFFSET_GUARD),
             Duty::OffsetGuard => {}
             Duty::StateAtEnd => self.found_state(current, fault_at_end(current.block)),

@@ -2,7 +2,7 @@
 
 use super::super::policy::RapidForm;
 use super::super::read::{Block, MAX_AXES};
-use super::super::rules::{LinkForm, Rules};
+use super::super::rules::{RotatingRapid, Rules};
 use super::phase::RapidSteps;
 use crate::kinematics::Axis;
 
@@ -53,15 +53,15 @@ impl RapidRules {
         let link = rapid.begun || !rapid.ends || rotates;
         let expects_feed = match form {
             // What the axes cannot follow is one rapid.
-            LinkForm::OneRapid if rotates => all_at_feed && at_feed,
-            LinkForm::Feed if !all_at_feed => at_feed && link,
+            RotatingRapid::OneRapid if rotates => all_at_feed && at_feed,
+            RotatingRapid::Feed if !all_at_feed => at_feed && link,
             _ => all_at_feed && (at_feed || !rapid.in_thread),
         };
         Self {
             expects_feed,
-            follows_path: at_feed || form == LinkForm::Rapids && link,
+            follows_path: at_feed || form == RotatingRapid::Rapids && link,
             link,
-            lacks_retract: rotates && (form == LinkForm::None || form == LinkForm::Feed && !at_feed),
+            lacks_retract: rotates && (form == RotatingRapid::None || form == RotatingRapid::Feed && !at_feed),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Restart points as a whole: a block with a number begins one, and each ends the frames that the program uses.
 
-use super::super::read::Form;
-use super::super::report::Shown;
+use super::super::read::LineForm;
+use super::super::report::ShownBlock;
 use super::phase::Phase;
 use super::{Comparison, Current};
 
@@ -16,7 +16,7 @@ pub(super) struct Restarts {
 
 impl Restarts {
     /// The machine retracts after a restart point that has not ended these frames.
-    pub(super) fn note(&mut self, frames: u32, at: Shown<'_>) {
+    pub(super) fn note(&mut self, frames: u32, at: ShownBlock<'_>) {
         let known = self.not_ended.iter().fold(0, |bits, (frames, ..)| bits | frames);
         if frames & !known != 0 {
             self.not_ended.push((frames & !known, at.line, at.text.to_vec()));
@@ -34,7 +34,7 @@ impl Comparison<'_> {
     pub(super) fn restart_point(&mut self, phase: &Phase, current: &Current<'_>) {
         let block = current.block;
         let shop = &self.rules.policy().shop;
-        let numbered = shop.restarts_numbered && !shop.own_safety && self.rules.facts().form != Form::Statements;
+        let numbered = shop.restarts_numbered && !shop.own_safety && self.rules.facts().form != LineForm::Statements;
         // A number alone is the target of a jump.
         let alone = || !current.shown.text.contains(&b' ');
         if numbered && block.number.is_some() && !block.goes_on && !phase.is_at_part() && !alone() {
@@ -47,7 +47,7 @@ impl Comparison<'_> {
             && let Some((line, text)) = self.restarts.numbered.take()
         {
             let text_of = "the block with this number is no restart point: the code of the unit, which begins its complete state, is missing";
-            self.tally.found(self.progress.location(), Shown { line, text: &text }, text_of);
+            self.tally.found(self.progress.location(), ShownBlock { line, text: &text }, text_of);
         }
         if current.same_modes || self.restarts.not_ended.is_empty() {
             return;
@@ -59,6 +59,6 @@ impl Comparison<'_> {
             return;
         };
         let (_, line, text) = self.restarts.not_ended.remove(index);
-        self.tally.found(self.progress.location(), Shown { line, text: &text }, &fault);
+        self.tally.found(self.progress.location(), ShownBlock { line, text: &text }, &fault);
     }
 }

@@ -21,7 +21,7 @@ use crate::program::{Clearance, Event, Feed, Location, Rotation, Units};
 
 use super::geometry::{PathShape, ToolPose};
 use super::policy::{CheckPolicy, LinearMeaning, SmoothingLevel};
-use super::read::Side;
+use super::read::SideOfPath;
 pub(super) use hole::ExpectedHole;
 use modal::ClState;
 pub(super) use modal::legible;
@@ -52,7 +52,7 @@ pub(super) struct Required {
     pub(crate) set_up: u32,
     /// Number of the operation, from 1.
     pub(crate) operation: u64,
-    pub(crate) side: Side,
+    pub(crate) side: SideOfPath,
     /// Register of the tool radius, on controls with registers of their own for it.
     pub(crate) radius_register: u32,
     /// Radius of the tool that the path was made for, mm.
@@ -157,7 +157,7 @@ pub(super) struct ExpectedMessage {
 /// The items of a program, as one of its readings has taken them.
 #[derive(Clone)]
 pub(super) struct Expect<'a> {
-    source: Rc<RefCell<Source<'a>>>,
+    source: Rc<RefCell<ClReadings<'a>>>,
     items: VecDeque<ExpectedItem>,
     messages: VecDeque<ExpectedMessage>,
     /// Numbers of items and of messages that have been read from the source.
@@ -169,14 +169,14 @@ pub(super) struct Expect<'a> {
 }
 
 /// The CL data, for all readings of one program.
-struct Source<'a> {
+struct ClReadings<'a> {
     events: ClEvents<'a>,
     placement: Placement,
     state: ClState<'a>,
     ended: bool,
 }
 
-impl Source<'_> {
+impl ClReadings<'_> {
     #[inline(never)]
     fn read(&mut self) -> io::Result<()> {
         let Self { events, placement, state, ended } = self;
@@ -202,7 +202,7 @@ impl<'a> Expect<'a> {
         let rotary = |axis: &crate::kinematics::Axis| axis.kind == AxisKind::Rotary && !axis.held;
         let head = machine.axes().iter().any(|axis| rotary(axis) && axis.side == ChainSide::Tool);
         let rotations = policy.set_up.clampings().map(|(number, part)| (number, part.part_rotation.into_inner()));
-        let source = Source {
+        let source = ClReadings {
             events,
             placement: Placement::new(rotations.collect(), policy.links.dry_lift_mm),
             state: ClState::new(policy, head, unit_mm),

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use super::super::geometry::{ArcPath, PathShape, bezier, depth_of_line, tool_pose};
 use super::super::policy::{CheckPolicy, OperationSelection, StopRule};
-use super::super::read::{LengthRegisters, Side, coolant};
+use super::super::read::{LengthRegisters, SideOfPath, coolant};
 use super::hole::{ExpectedHole, HoleStep, unfolded};
 use super::operations::{self, RulesInForce};
 use super::{ClMotion, ExpectedAction, ExpectedItem, ExpectedMessage, Kept, Required, RequiredSmoothing, SpindleState};
@@ -32,7 +32,7 @@ pub(super) struct ClState<'a> {
     spindle: SpindleRecords,
     coolant: Coolant,
     compensation: CompensationRequest,
-    operation: Operation,
+    operation: OperationState,
     /// Name of the last operation that has one, and the record of the name where no motion has come since.
     named: (String, Option<Location>),
     /// Rules of the operation.
@@ -104,15 +104,15 @@ impl SpindleRecord {
 #[derive(Debug, Clone, Copy, Default)]
 struct CompensationRequest {
     /// Begins with a line perpendicular to the tool, and ends with the next motion.
-    side: Side,
+    side: SideOfPath,
     /// Last side that was programmed, for ON.
-    last_side: Side,
+    last_side: SideOfPath,
     register: Option<u32>,
 }
 
 /// Where in its operations the CL data is.
 #[derive(Debug, Clone, Copy)]
-struct Operation {
+struct OperationState {
     number: u64,
     /// No motion yet.
     starts: bool,
@@ -147,7 +147,7 @@ impl<'a> ClState<'a> {
             coolant: 0,
             set_up: 1,
             operation: 0,
-            side: Side::None,
+            side: SideOfPath::None,
             radius_register: 0,
             radius_mm: None,
             tolerance_mm: policy.tolerances.path_mm,
@@ -155,7 +155,7 @@ impl<'a> ClState<'a> {
             smoothing: RequiredSmoothing { level: policy.shop.smoothing, blending_mm: policy.tolerances.blending_mm },
             clearance: policy.links.clearance,
         };
-        let operation = Operation {
+        let operation = OperationState {
             number: 0,
             starts: true,
             position_known: false,
@@ -431,9 +431,9 @@ impl<'a> ClState<'a> {
     fn compensate(&mut self, asked: Compensation) {
         let request = &mut self.compensation;
         request.side = match asked.side {
-            CutterSide::Off => return request.side = Side::None,
-            CutterSide::Left => Side::Left,
-            CutterSide::Right => Side::Right,
+            CutterSide::Off => return request.side = SideOfPath::None,
+            CutterSide::Left => SideOfPath::Left,
+            CutterSide::Right => SideOfPath::Right,
             CutterSide::On => request.last_side,
         };
         request.last_side = request.side;
@@ -557,7 +557,7 @@ impl<'a> ClState<'a> {
         self.call_default_tool();
         self.go_back(at, motion);
         let side = self.compensation.side;
-        if side != self.required.side && (side == Side::None || self.is_perpendicular(motion)) {
+        if side != self.required.side && (side == SideOfPath::None || self.is_perpendicular(motion)) {
             self.require().side = side;
         }
         self.motion(at, motion, PathShape::Line);
@@ -798,7 +798,7 @@ impl<'a> ClState<'a> {
     #[inline(always)]
     fn push(&mut self, at: Location, action: ExpectedAction) {
         // Records after the call of a tool belong to the operation that comes.
-        let Operation { number, starts, called, reached, named, .. } = self.operation;
+        let OperationState { number, starts, called, reached, named, .. } = self.operation;
         let (opens, begins) = (u64::from(starts && called), starts && called && named);
         if !matches!(action, ExpectedAction::BlockSkip { .. }) {
             self.before_call = None;

@@ -43,7 +43,7 @@ impl Placement {
             let moves = *rotation != Matrix3::identity() || self.lifted;
             self.rotation = moves.then_some(*rotation);
         }
-        let place = Place { rotation: self.rotation?, lift_mm: self.lift_mm };
+        let place = RotationAndLift { rotation: self.rotation?, lift_mm: self.lift_mm };
         Some(match event {
             Event::Motion(motion) => Event::Motion(match motion {
                 ToolMotion::Move(motion) => ToolMotion::Move(Move { pose: place.pose(&motion.pose), ..*motion }),
@@ -75,12 +75,12 @@ impl Placement {
 
 /// One rotation and lift.
 #[derive(Clone, Copy)]
-struct Place {
+struct RotationAndLift {
     rotation: Matrix3<f64>,
     lift_mm: f64,
 }
 
-impl Place {
+impl RotationAndLift {
     fn direction(&self, direction: &UnitVector3<f64>) -> UnitVector3<f64> {
         UnitVector3::new_unchecked(self.rotation * direction.into_inner())
     }

@@ -7,7 +7,8 @@ use crate::program::{Rotation, Units};
 
 pub(super) use super::state::settled;
 pub use super::state::{
-    FeedMode, Length, PathMode, Side, Smoothing, State, Tilt, TipControl, WorkOffset, WorkPlane, coolant, stated,
+    FeedMode, Length, PathMode, PathSmoothing, SideOfPath, State, Tilt, TipControl, WorkOffset, WorkPlane, coolant,
+    stated,
 };
 
 /// Most axes a chain can have: X Y Z U V W A B C.
@@ -453,7 +454,7 @@ impl Action {
 
 /// What a control would stumble over.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Fault {
+pub struct BlockFault {
     /// Column from 1, bytes.
     pub column: usize,
     /// One sentence, no final stop.
@@ -515,7 +516,7 @@ pub struct Block {
     /// The block is a line that the user brought in.
     pub own: Option<OwnLine>,
     /// What is wrong with it.
-    pub faults: Vec<Fault>,
+    pub faults: Vec<BlockFault>,
     /// Number of faults, the first ones, that the text of the block does not explain: its number, an incomplete cycle before
     /// it.
     pub frame_faults: usize,

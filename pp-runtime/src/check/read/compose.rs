@@ -18,12 +18,12 @@
 //! | R, P | G2, G3 | radius of an arc, revolutions of a helix on LinuxCNC |
 
 use super::super::policy::RolloverRule;
-use super::block::{OwnPlace, PathMode, Smoothing, WorkOffset, coolant, settled};
-use super::facts::Form;
+use super::block::{OwnPlace, PathMode, PathSmoothing, WorkOffset, coolant, settled};
+use super::facts::LineForm;
 use super::frames;
-use super::language::{Address, Letters, Means, PathCode, Pattern, Plane, Row, Smoother, group, has_letter};
+use super::language::{Address, CodeRow, Letters, Means, PathCode, Pattern, Plane, Smoother, group, has_letter};
 use super::line::Line;
-use super::orders::{Act, ArcWords, AxisWords, CannedWords, Code, LengthCode, Mode, Motion, TiltCode};
+use super::orders::{Act, ArcWords, CannedWords, Code, LengthCode, ModeOrder, MotionOrder, TiltCode, WrittenAxisWords};
 use super::own::OwnText;
 use super::text::{Number, shown, whole};
 use super::words::{Coded, Counts, Word};
@@ -61,8 +61,9 @@ impl Line<'_> {
             self.ask(&coded, &mut asked);
         }
         let coolant = |on: bool| {
-            self.orders
-                .has(|mode| if on { matches!(mode, Mode::CoolantOn(_)) } else { matches!(mode, Mode::CoolantOff(_)) })
+            self.orders.has(|mode| {
+                if on { matches!(mode, ModeOrder::CoolantOn(_)) } else { matches!(mode, ModeOrder::CoolantOff(_)) }
+            })
         };
         if coolant(true) && coolant(false) {
             self.fault(0, "coolant is switched on and off in one block");
@@ -83,7 +84,7 @@ impl Line<'_> {
             let Coded { row, column, end, .. } = self.words.codes()[index];
             let before = &self.words.codes()[..index];
             let several = row.group == group::FREE || row.group == group::COOLANT && self.facts().several_coolant_codes;
-            let is_m = Row::is_miscellaneous;
+            let is_m = CodeRow::is_miscellaneous;
             let second_m = self.facts().one_m_code && is_m(row) && before.iter().any(|other| is_m(other.row));
             if !several && before.iter().any(|other| other.row.group == row.group) {
                 let text = format!("`{}` together with another code of its group", shown(self.at.between(column, end)));
@@ -139,21 +140,21 @@ impl Line<'_> {
             Means::Reference => asked.reference = true,
             Means::EndOfTravel => asked.end_of_travel = true,
             Means::Machine => asked.machine = true,
-            Means::Plane(plane) => self.orders.mode(Mode::Plane(plane)),
-            Means::Units(units) => self.orders.mode(Mode::Units(units)),
+            Means::Plane(plane) => self.orders.mode(ModeOrder::Plane(plane)),
+            Means::Units(units) => self.orders.mode(ModeOrder::Units(units)),
             Means::UnitsOfFeed(units) => {
-                self.orders.mode(Mode::Units(units));
-                self.orders.mode(Mode::Settles(settled::FEED_UNIT));
+                self.orders.mode(ModeOrder::Units(units));
+                self.orders.mode(ModeOrder::Settles(settled::FEED_UNIT));
             }
-            Means::Distances { incremental } => self.orders.mode(Mode::Incremental(incremental)),
-            Means::ArcCentres { absolute } => self.orders.mode(Mode::AbsoluteCentres(absolute)),
-            Means::FeedMode(mode) => self.orders.mode(Mode::FeedMode(mode)),
+            Means::Distances { incremental } => self.orders.mode(ModeOrder::Incremental(incremental)),
+            Means::ArcCentres { absolute } => self.orders.mode(ModeOrder::AbsoluteCentres(absolute)),
+            Means::FeedMode(mode) => self.orders.mode(ModeOrder::FeedMode(mode)),
             Means::Side(side) => {
                 if let Some(word) = self.words.take_letter(b'D', takes) {
                     let register = self.register(&word);
-                    self.orders.mode(Mode::RadiusRegister(register));
+                    self.orders.mode(ModeOrder::RadiusRegister(register));
                 }
-                self.orders.mode(Mode::Side(side));
+                self.orders.mode(ModeOrder::Side(side));
             }
             Means::Length(code) => self.length_code(code, takes),
             Means::TiltedPlane(form) => {
@@ -162,54 +163,54 @@ impl Line<'_> {
             }
             Means::Orient => self.tilt(TiltCode::Orient),
             Means::TiltOff => self.tilt(TiltCode::Off),
-            Means::DynamicOffset(on) => self.orders.mode(Mode::DynamicOffset(on)),
-            Means::Offset => self.orders.mode(Mode::WorkOffset(WorkOffset::Code(number))),
+            Means::DynamicOffset(on) => self.orders.mode(ModeOrder::DynamicOffset(on)),
+            Means::Offset => self.orders.mode(ModeOrder::WorkOffset(WorkOffset::Code(number))),
             Means::FurtherOffset => match self.words.take_letter(b'P', takes).and_then(|word| whole(word.number)) {
-                Some(number) => self.orders.mode(Mode::WorkOffset(WorkOffset::Further(number))),
+                Some(number) => self.orders.mode(ModeOrder::WorkOffset(WorkOffset::Further(number))),
                 None => self.fault(column, "work offset without its number"),
             },
-            Means::Return { initial } => self.orders.mode(Mode::ReturnToInitial(initial)),
+            Means::Return { initial } => self.orders.mode(ModeOrder::ReturnToInitial(initial)),
             Means::Path(path) => self.path(path, takes),
             Means::Smoothing(smoother) => self.smooth(smoother, takes, column),
             Means::Stop { optional } => self.orders.act(Act::Stop { optional }),
             Means::End => self.orders.act(Act::End),
             Means::Spindle(rotation) => {
                 self.is_spindle_of_tool(rotation, (column, end));
-                self.orders.function(Mode::Spindle(rotation), order);
+                self.orders.function(ModeOrder::Spindle(rotation), order);
             }
             Means::SpindleAndFlood(rotation) => {
                 let kinds = self.kinds_of(coolant::FLOOD, true, number, (column, end));
-                self.orders.function(Mode::Spindle(Some(rotation)), order);
-                self.orders.function(Mode::CoolantOn(kinds), order);
+                self.orders.function(ModeOrder::Spindle(Some(rotation)), order);
+                self.orders.function(ModeOrder::CoolantOn(kinds), order);
             }
             Means::ToolChange => {
-                self.orders.mode(Mode::Change);
+                self.orders.mode(ModeOrder::Change);
                 self.orders.act(Act::ToolChange);
             }
             Means::CoolantOn(kinds) => {
                 let kinds = self.kinds_of(kinds, true, number, (column, end));
-                self.orders.function(Mode::CoolantOn(kinds), order);
+                self.orders.function(ModeOrder::CoolantOn(kinds), order);
             }
             Means::CoolantOff(kinds) => {
                 let kinds = self.kinds_of(kinds, false, number, (column, end));
-                self.orders.function(Mode::CoolantOff(kinds), order);
+                self.orders.function(ModeOrder::CoolantOff(kinds), order);
             }
-            Means::Rigid => self.orders.mode(Mode::Rigid),
+            Means::Rigid => self.orders.mode(ModeOrder::Rigid),
             Means::TipControl(on) => {
                 if self.facts().tip_control_may_cancel_offset {
-                    self.orders.mode(Mode::CancelsOffset { off: !on });
+                    self.orders.mode(ModeOrder::CancelsOffset { off: !on });
                 }
-                self.orders.mode(Mode::TipControl(on));
+                self.orders.mode(ModeOrder::TipControl(on));
             }
-            Means::Interpolation { in_plane } => self.orders.mode(Mode::InPlane(in_plane)),
-            Means::Frame { in_workpiece } => self.orders.mode(Mode::InWorkpiece(in_workpiece)),
-            Means::ShortestWay(shortest) => self.orders.mode(Mode::Shortest(shortest)),
+            Means::Interpolation { in_plane } => self.orders.mode(ModeOrder::InPlane(in_plane)),
+            Means::Frame { in_workpiece } => self.orders.mode(ModeOrder::InWorkpiece(in_workpiece)),
+            Means::ShortestWay(shortest) => self.orders.mode(ModeOrder::Shortest(shortest)),
             Means::CallCycle => asked.call = true,
             Means::Settles(bit) => {
                 if let Some(word) = self.words.take_letter(b'P', takes).filter(|word| word.number.value != 0.0) {
                     self.fault(word.column, "this code is known with P0 only, which ends its compensation");
                 }
-                self.orders.mode(Mode::Settles(bit));
+                self.orders.mode(ModeOrder::Settles(bit));
             }
             Means::Harmless(_) => self.orders.harmless = true,
             Means::Address(_) | Means::Statement(_) => {}
@@ -218,7 +219,7 @@ impl Line<'_> {
 
     /// Adds a plane, and the motion of the rotary axes to it.
     pub(super) fn tilt(&mut self, tilt: TiltCode) {
-        self.orders.mode(Mode::Tilt(tilt));
+        self.orders.mode(ModeOrder::Tilt(tilt));
         if matches!(tilt, TiltCode::Orient | TiltCode::Zero | TiltCode::On { oriented: true, .. }) {
             self.orders.act(Act::Orient);
         }
@@ -298,7 +299,7 @@ impl Line<'_> {
     }
 
     fn dwell(&mut self, takes: Letters, column: usize) {
-        let seconds = if self.facts().form == Form::Keywords {
+        let seconds = if self.facts().form == LineForm::Keywords {
             let (time, turns) = (self.words.take(Address::Feed), self.words.take(Address::Speed));
             if let (Some(_), Some(turns)) = (time, turns) {
                 self.fault(turns.column, "dwell with two times");
@@ -322,20 +323,20 @@ impl Line<'_> {
     /// Length compensation, with its register; G43.4 and its kin, with their form.
     fn length_code(&mut self, code: LengthCode, takes: Letters) {
         let register = self.words.take_letter(b'H', takes).map(|word| self.register(&word));
-        self.orders.mode(Mode::Length(code, register));
+        self.orders.mode(ModeOrder::Length(code, register));
         match code {
             LengthCode::Off | LengthCode::On => {
                 if self.facts().length_ends_tip_control {
-                    self.orders.mode(Mode::TipControl(false));
+                    self.orders.mode(ModeOrder::TipControl(false));
                 }
             }
             LengthCode::TipControl | LengthCode::TipVector => {
-                self.orders.mode(Mode::TipControl(true));
+                self.orders.mode(ModeOrder::TipControl(true));
                 // P1: the tool axis rotates in a plane. Without P a parameter decides: A-79294E, p. 11.
                 if let Some(form) = self.words.take_letter(b'P', takes) {
                     match whole(form.number) {
-                        Some(0) => self.orders.mode(Mode::InPlane(false)),
-                        Some(1) => self.orders.mode(Mode::InPlane(true)),
+                        Some(0) => self.orders.mode(ModeOrder::InPlane(false)),
+                        Some(1) => self.orders.mode(ModeOrder::InPlane(true)),
                         _ => self.fault(form.column, "unknown form of tip control"),
                     }
                 }
@@ -353,19 +354,19 @@ impl Line<'_> {
             PathCode::Continuous => PathMode::Continuous { tolerance_mm: length(b'P'), joining_mm: length(b'Q') },
             PathCode::Smoothed(code) => PathMode::Smoothed(code),
         };
-        self.orders.mode(Mode::Path(mode));
+        self.orders.mode(ModeOrder::Path(mode));
     }
 
     fn smooth(&mut self, smoother: Smoother, takes: Letters, column: usize) {
         let level = |word: Word, most: u32| whole(word.number).filter(|level| (1..=most).contains(level));
         let smoothing = match smoother {
             Smoother::Contour => match self.words.take_letter(b'Q', takes).and_then(|word| whole(word.number)) {
-                Some(0) => Some(Smoothing::Off),
+                Some(0) => Some(PathSmoothing::Off),
                 Some(1) => {
                     let level = self.words.take_letter(b'R', takes).map(|word| level(word, 10));
                     let known = level.is_none_or(|level| level.is_some());
                     let level = level.flatten().map(|level| level as u8);
-                    known.then_some(Smoothing::On { tolerance_mm: None, level })
+                    known.then_some(PathSmoothing::On { tolerance_mm: None, level })
                 }
                 _ => None,
             },
@@ -374,16 +375,16 @@ impl Line<'_> {
                 let tolerance = self.words.take_letter(b'E', takes);
                 let tolerance_mm = tolerance.map(|word| self.length(word, false) * self.unit());
                 match (level, tolerance_mm) {
-                    (None, None) => Some(Smoothing::Off),
+                    (None, None) => Some(PathSmoothing::Off),
                     (Some(None), _) => None,
                     (level, tolerance_mm) => {
-                        Some(Smoothing::On { tolerance_mm, level: level.flatten().map(|level| level as u8) })
+                        Some(PathSmoothing::On { tolerance_mm, level: level.flatten().map(|level| level as u8) })
                     }
                 }
             }
         };
         match smoothing {
-            Some(smoothing) => self.orders.mode(Mode::Smoothing(smoothing, None)),
+            Some(smoothing) => self.orders.mode(ModeOrder::Smoothing(smoothing, None)),
             None => self.fault(column, "unknown form of smoothing"),
         }
     }
@@ -424,29 +425,29 @@ impl Line<'_> {
             if number.value <= 0.0 {
                 self.fault(column, "F is not above 0");
             }
-            self.orders.mode(Mode::Feed(number.value));
+            self.orders.mode(ModeOrder::Feed(number.value));
         }
         if let Some(Word { number, column, .. }) = self.words.take(Address::Speed) {
             if number.value <= 0.0 {
                 self.fault(column, "S is not above 0");
             }
-            self.orders.mode(Mode::Speed(number.value));
+            self.orders.mode(ModeOrder::Speed(number.value));
         }
         if let Some(word) = self.words.take(Address::Tool) {
             let tool = self.register(&word);
-            self.orders.mode(Mode::Tool(tool));
+            self.orders.mode(ModeOrder::Tool(tool));
         }
         if let Some(word) = self.words.take(Address::Edge) {
             let edge = self.register(&word);
             let code = if edge == 0 { LengthCode::Off } else { LengthCode::On };
-            self.orders.mode(Mode::Length(code, Some(edge)));
+            self.orders.mode(ModeOrder::Length(code, Some(edge)));
         }
     }
 
     /// What a tool word needs, and what may not be in its block.
     fn tool_words(&mut self) {
-        let tool = self.orders.has(|mode| matches!(mode, Mode::Tool(_)));
-        let change = self.orders.has(|mode| *mode == Mode::Change);
+        let tool = self.orders.has(|mode| matches!(mode, ModeOrder::Tool(_)));
+        let change = self.orders.has(|mode| *mode == ModeOrder::Change);
         if change && !tool && self.machine().state().selected.is_none() {
             self.fault(0, "tool change without a tool number: no T has been programmed");
         }
@@ -458,7 +459,7 @@ impl Line<'_> {
     /// What the words of axes, of an arc and of a canned cycle do.
     fn motion(&mut self, asked: &Asked) {
         if let Some((code, takes)) = asked.code {
-            self.orders.mode(Mode::Motion(code, takes));
+            self.orders.mode(ModeOrder::Motion(code, takes));
             if asked.dwell {
                 self.fault(0, "a motion code in a block with a dwell");
             }
@@ -467,8 +468,9 @@ impl Line<'_> {
             }
         }
         // A statement states its motion itself.
-        let stated =
-            self.orders.find(|mode| if let Mode::Motion(code, takes) = mode { Some((*code, *takes)) } else { None });
+        let stated = self
+            .orders
+            .find(|mode| if let ModeOrder::Motion(code, takes) = mode { Some((*code, *takes)) } else { None });
         let (code, takes) = match stated {
             Some((code, takes)) => (Some(code), takes),
             None => self.machine().motion_code(),
@@ -479,7 +481,7 @@ impl Line<'_> {
         let canned = if code == Some(Code::Cycle) && !apart { self.canned(asked, takes) } else { None };
         let pitch = (code == Some(Code::RigidTap)).then(|| self.words.take_letter(b'K', takes)).flatten();
         let axes = if asked.dwell || self.orders.acts.len() > usize::from(self.orients()) && !asked.call {
-            AxisWords::default()
+            WrittenAxisWords::default()
         } else {
             self.axes()
         };
@@ -504,7 +506,7 @@ impl Line<'_> {
             }
             return;
         }
-        let vector = self.orders.has(|mode| matches!(mode, Mode::Vector(..)));
+        let vector = self.orders.has(|mode| matches!(mode, ModeOrder::Vector(..)));
         if vector && axes.written & self.machine().rotary() != 0 {
             self.fault(0, "rotary words together with a tool axis");
         }
@@ -514,12 +516,12 @@ impl Line<'_> {
         if canned.is_some() && !drills && axes.written == 0 {
             self.fault(0, "P, Q, I or J of a cycle without R and without an axis word");
         }
-        if code == Some(Code::RigidTap) && self.orders.has(|mode| matches!(mode, Mode::Feed(_))) {
+        if code == Some(Code::RigidTap) && self.orders.has(|mode| matches!(mode, ModeOrder::Feed(_))) {
             self.fault(0, "F in the block of a thread whose pitch is K");
         }
         if axes.written != 0 || vector || round || drills {
             let pitch = pitch.map(|word| word.number.value);
-            self.orders.act(Act::Move(Motion { axes, arc, pitch, call: asked.call }));
+            self.orders.act(Act::Move(MotionOrder { axes, arc, pitch, call: asked.call }));
         } else if asked.call {
             self.orders.act(Act::Hole);
         }
@@ -533,7 +535,7 @@ impl Line<'_> {
     /// Components of the tool axis: A3 B3 C3, TX TY TZ, and I J K while G43.5 is in force.
     fn vector(&mut self, asked: &Asked) {
         let begins = self.orders.find(|mode| match mode {
-            Mode::Length(code, _) => Some(*code == LengthCode::TipVector),
+            ModeOrder::Length(code, _) => Some(*code == LengthCode::TipVector),
             _ => None,
         });
         let is_arc = matches!(asked.code, Some((Code::Clockwise | Code::CounterClockwise, _)));
@@ -547,7 +549,7 @@ impl Line<'_> {
             written |= 1 << word.index;
         }
         if written != 0 {
-            self.orders.mode(Mode::Vector(vector, written));
+            self.orders.mode(ModeOrder::Vector(vector, written));
         }
     }
 
@@ -576,14 +578,14 @@ impl Line<'_> {
         };
         let says = words != CannedWords::default();
         if says {
-            self.orders.mode(Mode::Canned(words));
+            self.orders.mode(ModeOrder::Canned(words));
         }
         says.then_some(words)
     }
 
     /// The words of axes.
-    fn axes(&mut self) -> AxisWords {
-        let mut axes = AxisWords::default();
+    fn axes(&mut self) -> WrittenAxisWords {
+        let mut axes = WrittenAxisWords::default();
         while let Some(word) = self.words.take(Address::Axis) {
             let (index, bit) = (usize::from(word.index), 1 << word.index);
             axes.values[index] = self.length(word, self.machine().axis(index).rotary);
@@ -593,7 +595,7 @@ impl Line<'_> {
                 Counts::Absolute | Counts::Shortest => axes.absolute |= bit,
                 Counts::Incremental => axes.incremental |= bit,
             }
-            if self.facts().form == Form::Keywords {
+            if self.facts().form == LineForm::Keywords {
                 self.direction(&word);
             }
         }
@@ -623,7 +625,7 @@ impl Line<'_> {
     /// The words of an arc.
     fn arc(&mut self, takes: Letters) -> ArcWords {
         let mut arc = ArcWords::default();
-        let of_letters = self.facts().form == Form::Letters;
+        let of_letters = self.facts().form == LineForm::Letters;
         let taken = |letter: Option<u8>| letter.is_some_and(|letter| has_letter(takes, letter));
         while let Some(word) =
             self.words.take_if(|word| word.address == Address::Centre && (!of_letters || taken(word.letter)))

@@ -2,8 +2,8 @@
 //! statement of it does what the control does, whatever is declared.
 
 use super::block::Effect;
-use super::facts::Form;
-use super::orders::{Act, Mode, Orders};
+use super::facts::LineForm;
+use super::orders::{Act, ModeOrder, Orders};
 use super::{InMemory, Reader, Vocabulary, own};
 
 /// Codes that call a program of the shop, whose other words are its arguments.
@@ -32,8 +32,10 @@ pub(crate) fn refusal(text: &str, effect: Effect, vocabulary: &Vocabulary) -> Op
         return Some("it is a statement of the control's own language".to_owned());
     }
     let known = match vocabulary.family.facts().form {
-        Form::Statements => is_known(text, effect, vocabulary).then_some(text),
-        Form::Letters | Form::Keywords => text.split_whitespace().find(|word| is_known(word, effect, vocabulary)),
+        LineForm::Statements => is_known(text, effect, vocabulary).then_some(text),
+        LineForm::Letters | LineForm::Keywords => {
+            text.split_whitespace().find(|word| is_known(word, effect, vocabulary))
+        }
     };
     known.map(|word| format!("`{word}` belongs to the control's own language, which says what it does"))
 }
@@ -67,7 +69,7 @@ fn is_statement(text: &str) -> bool {
 /// Whether the control knows what a text does. A tool change may name its tool.
 fn is_known(text: &str, effect: Effect, vocabulary: &Vocabulary) -> bool {
     let orders = orders(text, vocabulary);
-    let is_tool = |mode: &Mode| effect == Effect::ToolChange && matches!(mode, Mode::Tool(_));
+    let is_tool = |mode: &ModeOrder| effect == Effect::ToolChange && matches!(mode, ModeOrder::Tool(_));
     orders.harmless || !orders.acts.is_empty() || orders.all_modes().any(|mode| !is_tool(mode))
 }
 

@@ -168,7 +168,7 @@ const HEIDENHAIN_LEFT: &[LeftOver] = &[
 
 /// Form of the lines of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Form {
+pub(crate) enum LineForm {
     /// Letters and numbers.
     Letters,
     /// The same, and keywords and calls.
@@ -181,7 +181,7 @@ pub(crate) enum Form {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Facts {
     /// Form of the lines.
-    pub(crate) form: Form,
+    pub(crate) form: LineForm,
     /// Numbering of length registers.
     pub(crate) registers: LengthRegisters,
     /// Switching length compensation on or off may move the tool by its length.
@@ -304,7 +304,7 @@ pub(crate) struct Facts {
 }
 
 const ISO: Facts = Facts {
-    form: Form::Letters,
+    form: LineForm::Letters,
     registers: LengthRegisters::Shared,
     length_moves: true,
     length_off_at_machine_coordinates: true,
@@ -461,7 +461,7 @@ impl Family {
             },
             // Rapids: programming manual of the Sinumerik One, RTLIOF.
             Self::Siemens => Facts {
-                form: Form::Keywords,
+                form: LineForm::Keywords,
                 registers: LengthRegisters::Edges,
                 length_moves: false,
                 radius_registers: false,
@@ -494,7 +494,7 @@ impl Family {
             },
             Self::Heidenhain => Facts {
                 thread_takes_feed: false,
-                form: Form::Statements,
+                form: LineForm::Statements,
                 registers: LengthRegisters::Rows,
                 length_moves: false,
                 length_off_at_machine_coordinates: false,

@@ -1,13 +1,13 @@
 //! One line while it is read: the place in its text, its words, what it orders, and what was in force before it.
 
 use super::Vocabulary;
-use super::block::Fault;
-use super::facts::{Facts, Form};
+use super::block::BlockFault;
+use super::facts::{Facts, LineForm};
 use super::language::{Address, Language};
 use super::machine::Interpreter;
 use super::orders::{Orders, fault};
 use super::text::{Cursor, Number, shown, tenths, whole};
-use super::words::{Coded, Counts, Word, Words};
+use super::words::{Coded, Counts, OpenWords, Word};
 use crate::program::Units;
 
 /// A line on its way into orders.
@@ -21,9 +21,9 @@ pub(super) struct Line<'a> {
     facts: &'a Facts,
     machine: &'a Interpreter,
     pub(crate) at: Cursor<'a>,
-    pub(crate) words: &'a mut Words,
+    pub(crate) words: &'a mut OpenWords,
     pub(crate) orders: &'a mut Orders,
-    faults: &'a mut Vec<Fault>,
+    faults: &'a mut Vec<BlockFault>,
 }
 
 impl<'a> Line<'a> {
@@ -32,8 +32,8 @@ impl<'a> Line<'a> {
         text: &'a [u8],
         vocabulary: &'a Vocabulary,
         machine: &'a Interpreter,
-        (words, orders): (&'a mut Words, &'a mut Orders),
-        faults: &'a mut Vec<Fault>,
+        (words, orders): (&'a mut OpenWords, &'a mut Orders),
+        faults: &'a mut Vec<BlockFault>,
     ) -> Self {
         let language = vocabulary.family.language();
         Self { vocabulary, language, facts: machine.facts(), machine, at: Cursor::new(text), words, orders, faults }
@@ -80,7 +80,7 @@ impl<'a> Line<'a> {
     /// Adds a fault that nothing takes away, whatever the user declares for the line.
     #[cold]
     pub(super) fn lasting_fault(&mut self, column: usize, text: impl Into<String>) {
-        let fault = Fault { column: column + 1, text: text.into() };
+        let fault = BlockFault { column: column + 1, text: text.into() };
         self.faults.insert(self.orders.frame_faults, fault);
         self.orders.frame_faults += 1;
     }
@@ -96,7 +96,7 @@ impl<'a> Line<'a> {
         }
         self.orders.number = value;
         let mut comment = false;
-        let comments = self.facts.form == Form::Letters;
+        let comments = self.facts.form == LineForm::Letters;
         let is_word = |byte: &u8| {
             let within = comments && (comment || *byte == b'(');
             comment = within && *byte != b')';

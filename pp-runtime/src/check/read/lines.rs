@@ -3,7 +3,7 @@
 
 use std::io;
 
-use super::Pieces;
+use super::TextPieces;
 use super::text::GOES_ON;
 
 /// A line longer than this is no line of a program, bytes.
@@ -62,7 +62,7 @@ pub(super) struct Lines<P> {
     pinned_bytes: usize,
 }
 
-impl<P: Pieces> Lines<P> {
+impl<P: TextPieces> Lines<P> {
     pub(super) fn new(input: P, numbered: bool) -> Self {
         Self {
             input,

@@ -51,27 +51,27 @@ use std::sync::Arc;
 
 pub(crate) use block::set_bits;
 pub use block::{
-    Action, ArcMove, BlankPart, Block, CycleKind, CycleMove, Effect, Fault, FeedMode, FineBore, Guard, Length,
-    LengthSource, MAX_AXES, OwnLine, OwnPlace, OwnValues, PathMode, RotaryGuard, Side, Smoothing, State, Tilt,
-    TipControl, WorkOffset, WorkPlane, coolant, stated,
+    Action, ArcMove, BlankPart, Block, BlockFault, CycleKind, CycleMove, Effect, FeedMode, FineBore, Guard, Length,
+    LengthSource, MAX_AXES, OwnLine, OwnPlace, OwnValues, PathMode, PathSmoothing, RotaryGuard, SideOfPath, State,
+    Tilt, TipControl, WorkOffset, WorkPlane, coolant, stated,
 };
 pub(crate) use declared::{moves, refusal};
-pub(crate) use facts::{Facts, Form, GuardSource, LeftOver, LengthRegisters, PoseSelector, SmoothingWords};
+pub(crate) use facts::{Facts, GuardSource, LeftOver, LengthRegisters, LineForm, PoseSelector, SmoothingWords};
 pub(crate) use language::table;
 pub(crate) use machine::AxisName;
 pub(crate) use own::{Lookup, OwnText, PlacedLines, is_filled, is_read};
 pub(in crate::check) use state::settled;
 
 use flow::{Flow, Taken};
-use heidenhain::Heidenhain;
+use heidenhain::HeidenhainLines;
 use iso::Iso;
 use line::Line;
 use lines::{LONGEST, LineKind, Lines};
 use machine::Interpreter;
-use orders::{Act, Motion, Orders, effect, fault};
+use orders::{Act, MotionOrder, Orders, effect, fault};
 use own::Bare;
-use siemens::Siemens;
-use words::Words;
+use siemens::SiemensLines;
+use words::OpenWords;
 
 /// Number of bytes of a program that are read at once.
 const PIECE: usize = 1 << 16;
@@ -145,7 +145,7 @@ pub(crate) struct Vocabulary {
 }
 
 /// Text of a program, in pieces.
-pub(crate) trait Pieces {
+pub(crate) trait TextPieces {
     /// Replaces a piece by the next one. An empty one is the end.
     ///
     /// # Errors
@@ -156,7 +156,7 @@ pub(crate) trait Pieces {
 /// A text in memory, as one piece.
 struct InMemory<'a>(&'a [u8]);
 
-impl Pieces for InMemory<'_> {
+impl TextPieces for InMemory<'_> {
     fn next_piece(&mut self, piece: &mut Vec<u8>) -> io::Result<()> {
         piece.clear();
         piece.extend_from_slice(std::mem::take(&mut self.0));
@@ -164,7 +164,7 @@ impl Pieces for InMemory<'_> {
     }
 }
 
-impl<R: Read> Pieces for R {
+impl<R: Read> TextPieces for R {
     fn next_piece(&mut self, piece: &mut Vec<u8>) -> io::Result<()> {
         piece.resize(PIECE, 0);
         let read = loop {
@@ -178,14 +178,14 @@ impl<R: Read> Pieces for R {
     }
 }
 
-impl Pieces for &mut dyn Pieces {
+impl TextPieces for &mut dyn TextPieces {
     fn next_piece(&mut self, piece: &mut Vec<u8>) -> io::Result<()> {
         (**self).next_piece(piece)
     }
 }
 
 /// The lines of a form of programs, and what is remembered from one to the next.
-trait Dialect: fmt::Debug {
+trait LineLanguage: fmt::Debug {
     /// Reads a line that only moves axes; `false` if it is another, or may mean something else.
     fn moves(&self, _text: &[u8], _machine: &Interpreter, _moves: &mut Moves) -> bool {
         false
@@ -209,7 +209,7 @@ trait Dialect: fmt::Debug {
 struct Moves {
     number: Option<u64>,
     feed: Option<f64>,
-    motion: Motion,
+    motion: MotionOrder,
 }
 
 /// Reads a program block by block.
@@ -221,7 +221,7 @@ pub(crate) struct Reader<P> {
     numbers: Vec<u8>,
     vocabulary: Arc<Vocabulary>,
     facts: Facts,
-    dialect: Box<dyn Dialect>,
+    dialect: Box<dyn LineLanguage>,
     machine: Interpreter,
     line: Vec<u8>,
     /// The line without what has a declared effect.
@@ -231,7 +231,7 @@ pub(crate) struct Reader<P> {
     before_skip: Option<Box<Interpreter>>,
     /// The shop has blocks of its own for the machine retract.
     own_retract: bool,
-    words: Words,
+    words: OpenWords,
     orders: Orders,
     /// Acts of the line that have been executed.
     step: usize,
@@ -239,7 +239,7 @@ pub(crate) struct Reader<P> {
     block: Block,
 }
 
-impl<P: Pieces> Reader<P> {
+impl<P: TextPieces> Reader<P> {
     pub(crate) fn new(input: P, vocabulary: Vocabulary) -> Self {
         Self::with(input, Arc::new(own::prepare(vocabulary)))
     }
@@ -249,13 +249,13 @@ impl<P: Pieces> Reader<P> {
         let facts = vocabulary.family.facts();
         let own_retract = vocabulary.own.iter().any(|own| matches!(own.place, OwnPlace::Retract { .. }));
         let machine = Interpreter::new(vocabulary.axes.clone(), facts, vocabulary.rounding);
-        let dialect: Box<dyn Dialect> = match facts.form {
-            Form::Letters => Box::new(Iso::new(&vocabulary, &machine)),
-            Form::Keywords => Box::new(Siemens::default()),
-            Form::Statements => Box::new(Heidenhain::default()),
+        let dialect: Box<dyn LineLanguage> = match facts.form {
+            LineForm::Letters => Box::new(Iso::new(&vocabulary, &machine)),
+            LineForm::Keywords => Box::new(SiemensLines::default()),
+            LineForm::Statements => Box::new(HeidenhainLines::default()),
         };
         Self {
-            lines: Lines::new(input, facts.form == Form::Statements),
+            lines: Lines::new(input, facts.form == LineForm::Statements),
             flow: Flow::new(&facts),
             numbers: Vec::new(),
             vocabulary,
@@ -267,7 +267,7 @@ impl<P: Pieces> Reader<P> {
             bare: Bare::default(),
             before_skip: None,
             own_retract,
-            words: Words::default(),
+            words: OpenWords::default(),
             orders: Orders::default(),
             step: 0,
             moves: Moves::default(),
@@ -325,7 +325,7 @@ impl<P: Pieces> Reader<P> {
                 // A guard, and a line of the shop, may have it.
                 if self.block.faults.len() > self.orders.frame_faults && self.block.own.is_none() {
                     let text = format!("the value of `{expression}` does not follow from the program");
-                    self.block.faults.insert(self.orders.frame_faults, Fault { column: 1, text });
+                    self.block.faults.insert(self.orders.frame_faults, BlockFault { column: 1, text });
                 }
                 is_block
             }
@@ -342,7 +342,7 @@ impl<P: Pieces> Reader<P> {
                  save the file as plain ASCII, or without the mark"
             );
             // In front of what follows from it.
-            self.block.faults.insert(0, Fault { column: 1, text });
+            self.block.faults.insert(0, BlockFault { column: 1, text });
         }
         let is_block = is_block || !self.block.faults.is_empty();
         if is_block {
@@ -396,10 +396,10 @@ impl<P: Pieces> Reader<P> {
         self.line.drain(..=at);
         let text = match self.line.trim_ascii_start() {
             [] | [b';'] => "block skip without a block",
-            [b'0'..=b'9', ..] if self.facts.form != Form::Statements => {
+            [b'0'..=b'9', ..] if self.facts.form != LineForm::Statements => {
                 "block skip with a number: the check knows the mark `/` alone"
             }
-            text if self.facts.form == Form::Keywords && begins_condition(text) => {
+            text if self.facts.form == LineForm::Keywords && begins_condition(text) => {
                 "block skip before IF or ENDIF: the control executes it whatever the switch is set to"
             }
             _ => return true,
@@ -442,7 +442,7 @@ impl<P: Pieces> Reader<P> {
         if self.facts.message.is_some_and(|[before, _]| text.starts_with(before.as_bytes())) {
             return false;
         }
-        if self.facts.form == Form::Statements {
+        if self.facts.form == LineForm::Statements {
             let digits = text.iter().take_while(|byte| byte.is_ascii_digit()).count();
             text = text[digits..].trim_ascii_start();
         }

@@ -6,8 +6,8 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::block::{
-    BlankPart, CycleKind, Fault, FeedMode, FineBore, Guard, MAX_AXES, PathMode, RotaryGuard, Side, Smoothing,
-    WorkOffset, WorkPlane, settled,
+    BlankPart, BlockFault, CycleKind, FeedMode, FineBore, Guard, MAX_AXES, PathMode, PathSmoothing, RotaryGuard,
+    SideOfPath, WorkOffset, WorkPlane, settled,
 };
 use super::language::{Letters, Pattern};
 use crate::program::{Rotation, Units};
@@ -120,7 +120,7 @@ pub(super) struct CannedWords {
 
 /// A mode, or a function that moves nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Mode {
+pub(super) enum ModeOrder {
     /// A complete state begins.
     Restart,
     Units(Units),
@@ -132,7 +132,7 @@ pub(super) enum Mode {
     Tool(u32),
     RadiusRegister(u32),
     Plane(WorkPlane),
-    Side(Side),
+    Side(SideOfPath),
     Incremental(bool),
     /// I J K of arcs are absolute.
     AbsoluteCentres(bool),
@@ -147,7 +147,7 @@ pub(super) enum Mode {
     WorkOffset(WorkOffset),
     Path(PathMode),
     /// With its tolerance for rotary axes, rad.
-    Smoothing(Smoothing, Option<f64>),
+    Smoothing(PathSmoothing, Option<f64>),
     Clamp {
         axis: usize,
         on: bool,
@@ -187,7 +187,7 @@ pub(super) enum Mode {
     Blank(BlankPart),
 }
 
-impl Mode {
+impl ModeOrder {
     /// Place in the order of execution.
     fn stage(&self) -> u8 {
         match self {
@@ -244,7 +244,7 @@ impl Mode {
 
 /// Words of axes, as written.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct AxisWords {
+pub(super) struct WrittenAxisWords {
     pub(crate) values: [f64; MAX_AXES],
     /// Bits.
     pub(crate) written: u16,
@@ -269,8 +269,8 @@ pub(super) struct ArcWords {
 
 /// A motion by the motion code in force.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Motion {
-    pub(crate) axes: AxisWords,
+pub(super) struct MotionOrder {
+    pub(crate) axes: WrittenAxisWords,
     pub(crate) arc: ArcWords,
     /// K of G33.1.
     pub(crate) pitch: Option<f64>,
@@ -285,12 +285,12 @@ pub(super) enum Act {
     /// Seconds.
     Dwell(f64),
     /// G28, G30.
-    Reference(AxisWords),
+    Reference(WrittenAxisWords),
     /// G53, SUPA, M91.
-    Machine(AxisWords),
+    Machine(WrittenAxisWords),
     /// M140 MB MAX.
     EndOfTravel,
-    Move(Motion),
+    Move(MotionOrder),
     /// A cycle where the tool is.
     Hole,
     /// The rotary axes go to a tilted plane, or to 0 at its end.
@@ -330,11 +330,11 @@ pub(crate) enum Order {
 pub(super) struct Orders {
     pub(crate) number: Option<u64>,
     /// Executed before the acts.
-    pub(crate) modes: Vec<Mode>,
+    pub(crate) modes: Vec<ModeOrder>,
     /// Executed before the acts on one machine and after them on another.
-    pub(crate) either: Vec<Mode>,
+    pub(crate) either: Vec<ModeOrder>,
     /// Executed after the acts.
-    pub(crate) late: Vec<Mode>,
+    pub(crate) late: Vec<ModeOrder>,
     pub(crate) acts: Vec<Act>,
     /// Faults of the frame of the line, as of its number: nothing that its text does takes them away.
     pub(crate) frame_faults: usize,
@@ -368,12 +368,12 @@ impl Orders {
     }
 
     /// Adds a mode that is executed before the motion of its block.
-    pub(super) fn mode(&mut self, mode: Mode) {
+    pub(super) fn mode(&mut self, mode: ModeOrder) {
         self.function(mode, Order::Before);
     }
 
     /// Adds a mode or a function.
-    pub(super) fn function(&mut self, mode: Mode, order: Order) {
+    pub(super) fn function(&mut self, mode: ModeOrder, order: Order) {
         self.speaks = true;
         let list = match order {
             Order::Before => &mut self.modes,
@@ -399,22 +399,22 @@ impl Orders {
     }
 
     /// All modes and functions.
-    pub(super) fn all_modes(&self) -> impl Iterator<Item = &Mode> {
+    pub(super) fn all_modes(&self) -> impl Iterator<Item = &ModeOrder> {
         self.modes.iter().chain(&self.either).chain(&self.late)
     }
 
     /// Whether one of its modes suits.
-    pub(super) fn has(&self, suits: impl Fn(&Mode) -> bool) -> bool {
+    pub(super) fn has(&self, suits: impl Fn(&ModeOrder) -> bool) -> bool {
         self.all_modes().any(suits)
     }
 
     /// What one of its modes says.
-    pub(super) fn find<T>(&self, says: impl FnMut(&Mode) -> Option<T>) -> Option<T> {
+    pub(super) fn find<T>(&self, says: impl FnMut(&ModeOrder) -> Option<T>) -> Option<T> {
         self.all_modes().find_map(says)
     }
 
     /// Takes away modes.
-    pub(super) fn remove(&mut self, is: impl Fn(&Mode) -> bool) {
+    pub(super) fn remove(&mut self, is: impl Fn(&ModeOrder) -> bool) {
         for list in [&mut self.modes, &mut self.either, &mut self.late] {
             list.retain(|mode| !is(mode));
         }
@@ -422,7 +422,7 @@ impl Orders {
 
     /// The unit that it names.
     pub(super) fn units(&self) -> Option<Units> {
-        self.find(|mode| if let Mode::Units(units) = mode { Some(*units) } else { None })
+        self.find(|mode| if let ModeOrder::Units(units) = mode { Some(*units) } else { None })
     }
 
     /// Whether it has words of axes.
@@ -441,8 +441,8 @@ impl Orders {
 
     /// Whether it moves axes and changes no state but F, nor has a declared effect.
     pub(super) fn only_moves(&self) -> bool {
-        matches!(self.acts[..], [Act::Move(Motion { call: false, .. })])
-            && self.modes.iter().all(Mode::is_feed)
+        matches!(self.acts[..], [Act::Move(MotionOrder { call: false, .. })])
+            && self.modes.iter().all(ModeOrder::is_feed)
             && self.either.is_empty()
             && self.late.is_empty()
             && self.effects == 0
@@ -453,8 +453,8 @@ impl Orders {
 const MOST_FAULTS: usize = 20;
 
 /// Adds a fault of a line.
-pub(super) fn fault(faults: &mut Vec<Fault>, column: usize, text: impl Into<String>) {
+pub(super) fn fault(faults: &mut Vec<BlockFault>, column: usize, text: impl Into<String>) {
     if faults.len() < MOST_FAULTS {
-        faults.push(Fault { column: column + 1, text: text.into() });
+        faults.push(BlockFault { column: column + 1, text: text.into() });
     }
 }

@@ -8,9 +8,9 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::block::{Effect, OwnLine, OwnPlace, OwnValues, WorkPlane};
-use super::facts::{Facts, Form};
+use super::facts::{Facts, LineForm};
 use super::line::Line;
-use super::orders::{Act, Mode, effect};
+use super::orders::{Act, ModeOrder, effect};
 use super::text::{GOES_ON, shown, take_marks_away};
 use super::{InMemory, Reader, Vocabulary};
 
@@ -81,7 +81,7 @@ impl Bare {
 /// End of the block number with which a line begins, 0 if it has none.
 fn number_end(line: &[u8], facts: &Facts) -> usize {
     let start = line.iter().position(|byte| !byte.is_ascii_whitespace()).unwrap_or(line.len());
-    let statement = facts.form == Form::Statements;
+    let statement = facts.form == LineForm::Statements;
     let letter = usize::from(!statement && matches!(line.get(start), Some(b'N' | b'n')));
     let digits = line[start + letter..].iter().take_while(|byte| byte.is_ascii_digit()).count();
     let end = start + letter + digits;
@@ -95,7 +95,7 @@ fn number_end(line: &[u8], facts: &Facts) -> usize {
 
 /// Puts blanks in the place of comments; what is no whole comment stays.
 fn comments(line: &[u8], facts: &Facts, masked: &mut [u8]) {
-    let brackets = facts.form == Form::Letters;
+    let brackets = facts.form == LineForm::Letters;
     let (mut at, mut quoted) = (0, false);
     while let Some(byte) = line.get(at) {
         quoted ^= *byte == b'"' && !brackets;
@@ -198,7 +198,7 @@ pub(super) fn prepare(mut vocabulary: Vocabulary) -> Vocabulary {
     let mut bare = Bare::default();
     let texts = vocabulary.own.iter_mut().map(|own| &mut own.text);
     for text in texts.chain(vocabulary.effects.iter_mut().map(|(text, _)| text)) {
-        if facts.form == Form::Statements {
+        if facts.form == LineForm::Statements {
             // A declared text has one line.
             for mark in memchr::memmem::find_iter(text, b" ~ ").map(|at| at + 1).collect::<Vec<_>>() {
                 text[mark] = b' ';
@@ -298,16 +298,16 @@ pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
                 orders.forget_codes();
             }
             OwnPlace::Coolant if !found && matches!(own.coolant, Some((_, true))) => {
-                orders.remove(|mode| matches!(mode, Mode::CoolantOn(_)));
+                orders.remove(|mode| matches!(mode, ModeOrder::CoolantOn(_)));
             }
             _ => {}
         }
         match (own.place, own.coolant) {
-            (OwnPlace::Clamp { axis, on }, _) => orders.mode(Mode::Clamp { axis, on }),
-            (OwnPlace::Coolant, Some((kinds, true))) => orders.mode(Mode::CoolantOn(kinds)),
-            (OwnPlace::Coolant, Some((kinds, false))) => orders.mode(Mode::CoolantOff(kinds)),
-            (OwnPlace::TipControl { on }, _) => orders.mode(Mode::TipControl(on)),
-            (OwnPlace::Spindle { rotation }, _) => orders.mode(Mode::Spindle(rotation)),
+            (OwnPlace::Clamp { axis, on }, _) => orders.mode(ModeOrder::Clamp { axis, on }),
+            (OwnPlace::Coolant, Some((kinds, true))) => orders.mode(ModeOrder::CoolantOn(kinds)),
+            (OwnPlace::Coolant, Some((kinds, false))) => orders.mode(ModeOrder::CoolantOff(kinds)),
+            (OwnPlace::TipControl { on }, _) => orders.mode(ModeOrder::TipControl(on)),
+            (OwnPlace::Spindle { rotation }, _) => orders.mode(ModeOrder::Spindle(rotation)),
             (OwnPlace::MillTurn, _) => {}
             (OwnPlace::Coolant, None) => {}
             _ => continue,
@@ -343,12 +343,12 @@ fn change_tool(called: Option<&[u8]>, line: &mut Line<'_>) {
     };
     let Some(number) = called_tool(called, line) else { return };
     let of_table = line.facts().plane_by_tool_call;
-    line.orders.mode(Mode::Tool(number));
-    line.orders.mode(Mode::Change);
+    line.orders.mode(ModeOrder::Tool(number));
+    line.orders.mode(ModeOrder::Change);
     line.orders.act(Act::ToolChange);
     if of_table {
         // Working plane, length and radius are those of the tool call in it.
-        for mode in [Mode::LengthOfTool, Mode::Plane(WorkPlane::Xy), Mode::RadiusDelta(Some(0.0))] {
+        for mode in [ModeOrder::LengthOfTool, ModeOrder::Plane(WorkPlane::Xy), ModeOrder::RadiusDelta(Some(0.0))] {
             line.orders.mode(mode);
         }
     }
@@ -457,7 +457,7 @@ fn values(text: &[u8], line: &mut Line<'_>) -> OwnValues {
 
 /// What has to come before a line that is read by itself.
 fn line_number(vocabulary: &Vocabulary) -> &'static [u8] {
-    if vocabulary.family.facts().form == Form::Statements { b"1 " } else { b"" }
+    if vocabulary.family.facts().form == LineForm::Statements { b"1 " } else { b"" }
 }
 
 /// A line of the configuration as it may come in a program, its fields having some value.

@@ -43,7 +43,7 @@ impl WorkPlane {
 
 /// On which side of the path the cutter runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Side {
+pub enum SideOfPath {
     /// On it.
     #[default]
     None,
@@ -53,7 +53,7 @@ pub enum Side {
     Right,
 }
 
-impl Side {
+impl SideOfPath {
     /// The other side.
     #[must_use]
     pub fn across(self) -> Self {
@@ -65,7 +65,7 @@ impl Side {
     }
 }
 
-impl Side {
+impl SideOfPath {
     /// Name in messages.
     pub(crate) const fn name(self) -> &'static str {
         match self {
@@ -145,7 +145,7 @@ pub struct Tilt {
 
 /// Smoothing of the path by the control.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum Smoothing {
+pub enum PathSmoothing {
     /// Not active.
     #[default]
     Off,
@@ -293,7 +293,7 @@ pub struct State {
     /// Bits of [`coolant`].
     pub coolant: Option<u8>,
     /// Cutter compensation.
-    pub side: Option<Side>,
+    pub side: Option<SideOfPath>,
     /// Blocks that measure may have switched cutter compensation on.
     pub side_unknown: bool,
     /// What F means.
@@ -320,7 +320,7 @@ pub struct State {
     /// The program has selected the path of rotary axes (M126, M127).
     pub shortest_stated: bool,
     /// Smoothing of the path.
-    pub smoothing: Smoothing,
+    pub smoothing: PathSmoothing,
     /// Largest deviation of the tool axis while smoothing is on, rad.
     pub smoothing_angle_rad: Option<f64>,
     /// Motion from block to block.
@@ -346,7 +346,7 @@ pub(in crate::check) struct WordsFrame {
 impl State {
     /// Whether cutter compensation is on.
     pub(super) fn compensates(&self) -> bool {
-        self.side.is_some_and(|side| side != Side::None)
+        self.side.is_some_and(|side| side != SideOfPath::None)
     }
 
     /// Takes what a block of axis words, F and S may have changed in another state that was the same before.
@@ -436,7 +436,7 @@ impl State {
             (*shortest, *shortest_stated) = (false, false);
         }
         *shortest_stated &= other.shortest_stated;
-        if *smoothing == Smoothing::Off {
+        if *smoothing == PathSmoothing::Off {
             *smoothing = other.smoothing;
         }
         *clamps_known &= other.clamps_known & !(*clamped ^ other.clamped);
@@ -491,7 +491,7 @@ impl Default for State {
             to_initial: None,
             shortest: false,
             shortest_stated: false,
-            smoothing: Smoothing::Off,
+            smoothing: PathSmoothing::Off,
             smoothing_angle_rad: None,
             path_mode: None,
             clamped: 0,

@@ -371,7 +371,7 @@ struct InPieces<'a> {
     size: usize,
 }
 
-impl Pieces for InPieces<'_> {
+impl TextPieces for InPieces<'_> {
     fn next_piece(&mut self, piece: &mut Vec<u8>) -> io::Result<()> {
         let (now, later) = self.bytes.split_at(self.size.min(self.bytes.len()));
         self.bytes = later;

@@ -1,6 +1,6 @@
 //! Words and codes of one line, each of which is taken once.
 
-use super::language::{Address, Letters, Row, has_letter};
+use super::language::{Address, CodeRow, Letters, has_letter};
 use super::text::Number;
 
 /// How the value of a word counts.
@@ -30,7 +30,7 @@ pub(super) struct Word {
 /// A code by its row.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Coded {
-    pub(crate) row: &'static Row,
+    pub(crate) row: &'static CodeRow,
     /// Its number in tenths; 0 of a keyword.
     pub(crate) number: u32,
     /// First column and the one after the last, from 0.
@@ -40,14 +40,14 @@ pub(super) struct Coded {
 
 /// Words that are not taken yet, and the codes.
 #[derive(Debug, Default)]
-pub(super) struct Words {
+pub(super) struct OpenWords {
     words: Vec<Word>,
     codes: Vec<Coded>,
     /// Calls that need a block of their own: their columns.
     pub(crate) calls: Vec<usize>,
 }
 
-impl Words {
+impl OpenWords {
     pub(super) fn clear(&mut self) {
         self.words.clear();
         self.codes.clear();

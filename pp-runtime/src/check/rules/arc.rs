@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use super::super::geometry::{ArcPath, RoundTip, Segment};
 use super::super::read::{Action, ArcMove, MAX_AXES, State};
 use super::fit::{BlockPath, Deviation, DeviationBound, off_arc};
-use super::{Rules, Words};
+use super::{MachineWords, Rules};
 
 /// Largest angle of an arc between points that are compared, rad, unless there were more points than this. The distance from an arc
 /// near to it has one wave or two in a turn, so that between two points it is hardly larger than at them. Of arcs with the same ends
@@ -24,7 +24,7 @@ const FROM_ENDS: f64 = 0.02;
 /// Words of a block along an arc. Those at a share `t` of its angle `a` are
 /// `middle + (start - middle) cos a t + (quarter - middle) sin a t + (end - start) t`.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct ArcWords {
+pub(crate) struct WordsAlongArc {
     /// In the plane of the arc at its centre.
     pub(crate) middle: [f64; MAX_AXES],
     /// Those before the block.
@@ -61,7 +61,7 @@ impl Turned {
 
 impl BlockPath<'_> {
     /// Words of the block, if it goes along an arc.
-    pub(crate) fn arc(&self) -> Option<ArcWords> {
+    pub(crate) fn arc(&self) -> Option<WordsAlongArc> {
         let Action::Arc(ArcMove { centre, sweep, .. }) = &self.block.action else { return None };
         let [u, v, _] = self.block.state.plane?.axes();
         let (first, second) = (self.xyz[u]?, self.xyz[v]?);
@@ -71,14 +71,14 @@ impl BlockPath<'_> {
         quarter[first] = centre[u] - (start[second] - centre[v]);
         quarter[second] = centre[v] + (start[first] - centre[u]);
         (end[first], end[second]) = (start[first], start[second]);
-        Some(ArcWords { middle, start, quarter, end, sweep: *sweep })
+        Some(WordsAlongArc { middle, start, quarter, end, sweep: *sweep })
     }
 }
 
 impl RoundTip {
     /// The tip of a block along an arc whose rotary axes rest.
-    fn of(words: &Words, arc: &ArcWords, state: &State) -> Self {
-        let ArcWords { middle, start, quarter, end, sweep } = arc;
+    fn of(words: &MachineWords, arc: &WordsAlongArc, state: &State) -> Self {
+        let WordsAlongArc { middle, start, quarter, end, sweep } = arc;
         let steps = [[middle, start], [middle, quarter], [start, end]];
         let (middle, [start, quarter, rise]) = words.tip_and_shifts(middle, steps, state);
         Self { middle, start, quarter: quarter * sweep.signum(), rise, angle: sweep.abs() }
@@ -88,8 +88,8 @@ impl RoundTip {
 impl Rules<'_> {
     /// Largest speeds of the axes along an arc, times its time, mm and rad: with `p` and `q` the shifts of an axis from the centre to
     /// the start and to a quarter turn after it, its speed is `q cos a - p sin a` and its share of the rise.
-    pub(super) fn fastest_on_arc(&self, arc: &ArcWords, state: &State) -> Option<[f64; MAX_AXES]> {
-        let ArcWords { middle, start, quarter, end, sweep } = arc;
+    pub(super) fn fastest_on_arc(&self, arc: &WordsAlongArc, state: &State) -> Option<[f64; MAX_AXES]> {
+        let WordsAlongArc { middle, start, quarter, end, sweep } = arc;
         let axes = |words: &[f64; MAX_AXES]| self.words.axes(words, state);
         let (middle, start, quarter, end) = (axes(middle)?, axes(start)?, axes(quarter)?, axes(end)?);
         Some(std::array::from_fn(|index| {

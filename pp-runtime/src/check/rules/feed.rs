@@ -81,7 +81,7 @@ pub(crate) struct FeedLaw {
 
 /// Length of a tip path and what the axes do in it.
 #[derive(Debug, Clone, Copy)]
-struct Extent {
+struct PathExtent {
     length_mm: f64,
     perpendicular: bool,
     /// Largest speed of the tip times the time of the block, mm.
@@ -162,7 +162,7 @@ impl FeedLaw {
     }
 
     /// What the words show.
-    fn extent(&self, stroke: &Stroke) -> Extent {
+    fn extent(&self, stroke: &Stroke) -> PathExtent {
         let (mut degrees, mut rotation_rad) = (0.0_f64, 0.0_f64);
         let linear: f64 = set_bits(self.linear_bits).map(|index| stroke.change[index].powi(2)).sum();
         for index in set_bits(self.rotary_bits) {
@@ -174,7 +174,15 @@ impl FeedLaw {
         let linear_mm = linear.sqrt();
         let (length_mm, tip_rate_mm) = (stroke.length_mm, stroke.tip_rate_mm[0]);
         let perpendicular = stroke.perpendicular;
-        Extent { length_mm, perpendicular, tip_rate_mm, linear_mm, rotary_deg: degrees.sqrt(), rotation_rad, least_min }
+        PathExtent {
+            length_mm,
+            perpendicular,
+            tip_rate_mm,
+            linear_mm,
+            rotary_deg: degrees.sqrt(),
+            rotation_rad,
+            least_min,
+        }
     }
 
     /// Time that the axes need at their largest speeds, minutes. `error`: share of one unit that is added
@@ -195,16 +203,16 @@ impl FeedLaw {
     }
 
     /// Whether a rotary axis rotates.
-    fn rotates(&self, extent: &Extent) -> bool {
+    fn rotates(&self, extent: &PathExtent) -> bool {
         extent.rotation_rad >= 0.25 * self.unit_rad
     }
 
     /// Whether F applies to the tip path because nothing else moves, whatever the control counts otherwise.
-    fn is_plain(&self, extent: &Extent) -> bool {
+    fn is_plain(&self, extent: &PathExtent) -> bool {
         extent.perpendicular && !self.rotates(extent)
     }
 
-    fn mode(&self, extent: &Extent) -> FeedMode {
+    fn mode(&self, extent: &PathExtent) -> FeedMode {
         match self.path {
             FeedPath::InverseMinutes | FeedPath::InverseSeconds if !self.along_tip && !self.is_plain(extent) => {
                 FeedMode::InverseTime
@@ -214,7 +222,7 @@ impl FeedLaw {
     }
 
     /// Path that F counts along, and whether it is a length: mm, else degrees.
-    fn counted(&self, extent: &Extent) -> (f64, bool) {
+    fn counted(&self, extent: &PathExtent) -> (f64, bool) {
         let moves = extent.linear_mm > 0.25 * self.unit_mm;
         match self.path {
             _ if self.is_plain(extent) => (extent.length_mm, true),
@@ -235,7 +243,7 @@ impl FeedLaw {
     }
 
     /// F of a motion at a feed of the tip, mm/min.
-    fn value(&self, feed: f64, extent: &Extent) -> f64 {
+    fn value(&self, feed: f64, extent: &PathExtent) -> f64 {
         let mut programmed = extent.length_mm.max(self.even_mm(extent.tip_rate_mm)) / feed;
         if extent.length_mm < self.unit_mm {
             programmed = programmed.max(extent.rotation_rad / self.reorient_rad_per_min);
@@ -255,7 +263,7 @@ impl FeedLaw {
     }
 
     /// Time that a motion needs whatever its feed, by its axes and the largest F, min.
-    fn least_needed_min(&self, extent: &Extent, (counted, _): (f64, bool)) -> f64 {
+    fn least_needed_min(&self, extent: &PathExtent, (counted, _): (f64, bool)) -> f64 {
         larger(counted / self.largest_mm_per_min, extent.least_min)
     }
 
@@ -310,7 +318,7 @@ impl FeedLaw {
 
     /// Shortest and longest tip path that rounded ends may show. Where the axes move much farther than the tip, the rounding
     /// of the tool axis moves its ends, too.
-    fn lengths(&self, stroke: &Stroke, extent: &Extent) -> (f64, f64) {
+    fn lengths(&self, stroke: &Stroke, extent: &PathExtent) -> (f64, f64) {
         let rotates = self.rotates(extent);
         let lever = rotates && extent.linear_mm > LEVER * stroke.length_mm;
         // A place between the ends of a motion is found by its tip and its tool axis together.
@@ -326,11 +334,11 @@ impl FeedLaw {
     }
 
     /// The slowest and the fastest motion that rounded words may show, by all but their lengths.
-    fn slowest_and_fastest(&self, stroke: &Stroke, extent: &Extent) -> [Extent; 2] {
+    fn slowest_and_fastest(&self, stroke: &Stroke, extent: &PathExtent) -> [PathExtent; 2] {
         // Three words may be off by √3 units together, two rotary ones by √2.
         let linear = if extent.linear_mm > 0.25 * self.unit_mm { 2.0 * self.unit_mm } else { 0.0 };
         let rotary = if self.rotates(extent) { self.unit_rad } else { 0.0 };
-        [1.0, -1.0].map(|sign| Extent {
+        [1.0, -1.0].map(|sign| PathExtent {
             length_mm: stroke.length_mm,
             perpendicular: extent.perpendicular,
             tip_rate_mm: stroke.tip_rate_mm[usize::from(sign > 0.0)],
@@ -342,7 +350,7 @@ impl FeedLaw {
     }
 
     /// Smallest and largest F of the paths that rounded words may show.
-    fn bounds(&self, feed: f64, stroke: &Stroke, extent: &Extent) -> (f64, f64) {
+    fn bounds(&self, feed: f64, stroke: &Stroke, extent: &PathExtent) -> (f64, f64) {
         let (shortest, longest) = self.lengths(stroke, extent);
         // The time of a tip that rests is another.
         let rests = self.unit_mm * (1.0 - F_NOISE);
@@ -350,7 +358,7 @@ impl FeedLaw {
         let lengths = lengths.into_iter().filter(|length| (shortest..=longest).contains(length));
         let ends = self.slowest_and_fastest(stroke, extent);
         lengths.fold((f64::INFINITY, 0.0), |(low, high), length_mm| {
-            let [slow, fast] = ends.map(|end| self.value(feed, &Extent { length_mm, ..end }));
+            let [slow, fast] = ends.map(|end| self.value(feed, &PathExtent { length_mm, ..end }));
             (low.min(slow), high.max(fast))
         })
     }
@@ -448,7 +456,7 @@ impl FeedLaw {
         let slowest = linear.map(|(_, speed)| *speed).fold(f64::INFINITY, f64::min);
         let held_back = |change: &[f64; MAX_AXES]| {
             let stroke = Stroke { change: *change, ..stroke.clone() };
-            let held = Extent { least_min: self.least_min(&stroke, 1.0), ..extent };
+            let held = PathExtent { least_min: self.least_min(&stroke, 1.0), ..extent };
             self.bounds(programmed, &stroke, &held).0
         };
         // An axis may move as far as the longest path that rounded ends show, in the time of the shortest.

@@ -23,16 +23,16 @@ use super::expect::{ClMotion, Required};
 use super::geometry::{Segment, ToolPose, angle_between, is_within_angle};
 use super::policy::{CheckPolicy, LinearMeaning, RapidForm};
 use super::read::{Block, Facts, MAX_AXES, OwnPlace, State, TipControl, WorkOffset};
-pub(super) use arc::ArcWords;
+pub(super) use arc::WordsAlongArc;
 pub(super) use feed::{FeedLaw, Stroke};
 use fit::FastestStep;
 pub(super) use fit::{Arrival, BlockPath, Deviation, DeviationBound, chord, sweep};
 pub(super) use state::{FrameUse, ModalContext, OffsetsInForce, StateFault, StateItem, fault_at_end, tool_name};
-pub(super) use words::Words;
+pub(super) use words::MachineWords;
 
 /// Allowance for rounded words.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Rounding {
+pub(super) struct WordRounding {
     /// One unit of linear words.
     pub(crate) unit_mm: f64,
     /// One unit of rotary words.
@@ -56,7 +56,7 @@ pub(super) struct Rules<'a> {
     policy: &'a CheckPolicy,
     facts: Facts,
     machine: Box<dyn AnyMachine>,
-    words: Words,
+    words: MachineWords,
     /// Number of the set-up.
     set_up: u32,
     /// Meaning of linear words since the last approach.
@@ -64,7 +64,7 @@ pub(super) struct Rules<'a> {
     /// Since then tip control is on, or a plane is tilted.
     framed: bool,
     law: FeedLaw,
-    rounding: Rounding,
+    rounding: WordRounding,
     units: Units,
     /// States of a program before that must be ended: bits of `settled`.
     left_over: u32,
@@ -89,8 +89,8 @@ pub(super) struct Rules<'a> {
 impl<'a> Rules<'a> {
     pub(super) fn new(machine: Box<dyn AnyMachine>, policy: &'a CheckPolicy, units: Units) -> Self {
         let facts = policy.family.facts();
-        let words = Words::new(&*machine, policy);
-        let rounding = Rounding::new(&*machine, policy, units, words.rotary_bits().count_ones());
+        let words = MachineWords::new(&*machine, policy);
+        let rounding = WordRounding::new(&*machine, policy, units, words.rotary_bits().count_ones());
         let bits = (words.linear_bits(), words.rotary_bits());
         // The axis that rotates at a pole.
         let first_rotary = words.rotary().next();
@@ -137,7 +137,7 @@ impl<'a> Rules<'a> {
         &*self.machine
     }
 
-    pub(super) fn words(&self) -> &Words {
+    pub(super) fn words(&self) -> &MachineWords {
         &self.words
     }
 
@@ -145,7 +145,7 @@ impl<'a> Rules<'a> {
         &self.law
     }
 
-    pub(super) fn rounding(&self) -> &Rounding {
+    pub(super) fn rounding(&self) -> &WordRounding {
         &self.rounding
     }
 
@@ -290,7 +290,7 @@ impl<'a> Rules<'a> {
 
     /// Whether a tool axis is another, within a multiple of the allowance for that: more where it may be put at the pole.
     pub(super) fn is_axis_near(&self, here: &Vector3<f64>, there: &Vector3<f64>, times: f64) -> bool {
-        let Rounding { axis_rad, pole_rad, .. } = self.rounding;
+        let WordRounding { axis_rad, pole_rad, .. } = self.rounding;
         is_within_angle(here, there, times * axis_rad)
             || is_within_angle(here, there, times * pole_rad) && self.is_near_pole(there)
     }
@@ -497,15 +497,15 @@ impl<'a> Rules<'a> {
     }
 
     /// Form of the rapids of the CL data that rotate the tool at the part.
-    pub(super) fn link_form(&self) -> LinkForm {
+    pub(super) fn link_form(&self) -> RotatingRapid {
         let links = &self.policy.links;
         match links.rapid_feed_mm_per_min {
-            _ if links.direct => LinkForm::OneRapid,
-            _ if !links.follows_links => LinkForm::None,
-            Some(_) if links.rapid == RapidForm::Feed => LinkForm::Feed,
-            _ if self.rapids_are_interpolated() && !self.rapids_exceed_speeds() => LinkForm::Rapids,
-            Some(_) => LinkForm::Feed,
-            None => LinkForm::None,
+            _ if links.direct => RotatingRapid::OneRapid,
+            _ if !links.follows_links => RotatingRapid::None,
+            Some(_) if links.rapid == RapidForm::Feed => RotatingRapid::Feed,
+            _ if self.rapids_are_interpolated() && !self.rapids_exceed_speeds() => RotatingRapid::Rapids,
+            Some(_) => RotatingRapid::Feed,
+            None => RotatingRapid::None,
         }
     }
 
@@ -514,8 +514,8 @@ impl<'a> Rules<'a> {
         let at_feed = block.action.is_feed();
         let form = self.link_form();
         self.policy.links.rapid == RapidForm::Feed
-            || form == LinkForm::Feed && at_feed
-            || form == LinkForm::Rapids && block.action.is_rapid()
+            || form == RotatingRapid::Feed && at_feed
+            || form == RotatingRapid::Rapids && block.action.is_rapid()
     }
 }
 
@@ -530,7 +530,7 @@ const UNEVEN_PART_RAD: f64 = 0.01;
 
 /// Form of a rapid of the CL data that rotates the tool at the part by more than the index angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum LinkForm {
+pub(super) enum RotatingRapid {
     /// There is none: the machine retracts.
     None,
     /// One rapid, whatever its path.
@@ -552,7 +552,7 @@ pub(super) fn apart(value: f64, place: f64) -> f64 {
     (off - (off / TAU).round() * TAU).abs()
 }
 
-impl Rounding {
+impl WordRounding {
     fn new(machine: &dyn AnyMachine, policy: &CheckPolicy, units: Units, rotaries: u32) -> Self {
         let decimals = |digits: u32| 10_f64.powi(-(digits as i32));
         let unit_mm = decimals(policy.digits.linear(units)) * units.in_mm();

@@ -5,8 +5,8 @@ use std::fmt::Display;
 use super::super::expect::{Required, SpindleState};
 use super::super::policy::{CheckPolicy, LinearMeaning, RolloverRule};
 use super::super::read::{
-    Action, Block, Facts, FeedMode, Form, LeftOver, Length, Side, Smoothing, State, TipControl, WorkOffset, WorkPlane,
-    settled,
+    Action, Block, Facts, FeedMode, LeftOver, Length, LineForm, PathSmoothing, SideOfPath, State, TipControl,
+    WorkOffset, WorkPlane, settled,
 };
 use super::{Rules, apart};
 use crate::check::tolerances::{ROUNDED_SPEED, ROUNDED_WORD};
@@ -120,7 +120,7 @@ impl Rules<'_> {
     /// The same without the tool.
     pub(crate) fn fault_in_cut(&self, block: &Block, required: &Required, context: ModalContext) -> Option<StateFault> {
         let (state, context) = (&block.state, ModalContext { in_thread: block.action.is_thread(), ..context });
-        let offset_path = required.side != Side::None;
+        let offset_path = required.side != SideOfPath::None;
         let side = if offset_path && self.is_mirrored(block) { required.side.across() } else { required.side };
         self.everywhere(state, side, context)
             .or_else(|| if matches!(block.action, Action::Arc(_)) { self.centres(state) } else { None })
@@ -139,7 +139,7 @@ impl Rules<'_> {
     pub(crate) fn is_judged_by_state(&self, block: &Block, required: &Required) -> bool {
         let state = &block.state;
         let on_path = matches!(block.action, Action::Feed | Action::Arc(_));
-        let in_plane = state.plane == Some(WorkPlane::Xy) && required.side == Side::None;
+        let in_plane = state.plane == Some(WorkPlane::Xy) && required.side == SideOfPath::None;
         let centres = !self.facts.modal_centres || state.absolute_centres == Some(false);
         on_path && in_plane && centres && !state.has_frame() && self.meaning == LinearMeaning::AxisPositions
     }
@@ -167,7 +167,7 @@ impl Rules<'_> {
         let state = &block.state;
         let framed = frame != FrameUse::Without;
         let found = self
-            .everywhere(state, Side::None, context)
+            .everywhere(state, SideOfPath::None, context)
             .or_else(|| inverse_time(state))
             .or_else(|| self.frame(block, frame))
             .map(StateFault::from)
@@ -193,7 +193,7 @@ impl Rules<'_> {
     ) -> Option<StateFault> {
         let state = &block.state;
         let found = self
-            .everywhere(state, Side::None, context)
+            .everywhere(state, SideOfPath::None, context)
             .or_else(|| inverse_time(state))
             .or_else(|| self.frame(block, FrameUse::AsMeant))
             .map(StateFault::from)
@@ -215,12 +215,14 @@ impl Rules<'_> {
     ) -> Option<StateFault> {
         // Where a call moves nothing, the length is in force again after the retract.
         let called = register.filter(|_| !self.facts.length_moves).map(Length::Register);
-        self.everywhere(state, Side::None, ModalContext::default())
+        self.everywhere(state, SideOfPath::None, ModalContext::default())
             .or_else(|| inverse_time(state))
             .or_else(|| {
                 (state.tip_control != TipControl::Off).then(|| "tip control is still on at the end code".to_owned())
             })
-            .or_else(|| (state.smoothing != Smoothing::Off).then(|| "smoothing is still on at the end code".to_owned()))
+            .or_else(|| {
+                (state.smoothing != PathSmoothing::Off).then(|| "smoothing is still on at the end code".to_owned())
+            })
             .map(StateFault::from)
             .or_else(|| offsets?.changed(OffsetsInForce::of(state), called))
     }
@@ -254,7 +256,7 @@ impl Rules<'_> {
                     "machine coordinates are programmed before length compensation is switched off".to_owned(),
                 )
             });
-        self.everywhere(state, Side::None, context)
+        self.everywhere(state, SideOfPath::None, context)
             .or_else(|| inverse_time(state))
             .map(StateFault::from)
             .or(tip_control)
@@ -271,7 +273,7 @@ impl Rules<'_> {
         last: Option<&Required>,
         context: ModalContext,
     ) -> Option<StateFault> {
-        self.everywhere(&block.state, Side::None, context)
+        self.everywhere(&block.state, SideOfPath::None, context)
             .or_else(|| self.frame(block, FrameUse::Without))
             .map(StateFault::from)
             .or_else(|| last.and_then(|last| self.fault_in_offset(&block.state, last)))
@@ -298,10 +300,12 @@ impl Rules<'_> {
         let frame = if probed.is_some() { FrameUse::AsMeant } else { FrameUse::Without };
         let before = &at.state;
         let wet = before.coolant.is_some_and(|on| on != 0);
-        self.everywhere(before, Side::None, context)
+        self.everywhere(before, SideOfPath::None, context)
             .or_else(|| inverse_time(before))
             .or_else(|| self.frame(at, frame))
-            .or_else(|| (before.smoothing != Smoothing::Off).then(|| "smoothing is on where blocks measure".to_owned()))
+            .or_else(|| {
+                (before.smoothing != PathSmoothing::Off).then(|| "smoothing is on where blocks measure".to_owned())
+            })
             .or_else(|| wet.then(|| "the coolant is on where blocks measure".to_owned()))
             .map(StateFault::from)
             .or_else(|| match probed {
@@ -330,7 +334,7 @@ impl Rules<'_> {
     }
 
     /// State of every block that moves.
-    fn everywhere(&self, state: &State, side: Side, context: ModalContext) -> Option<String> {
+    fn everywhere(&self, state: &State, side: SideOfPath, context: ModalContext) -> Option<String> {
         if state.units != Some(self.units) {
             return Some(format!(
                 "the program is not in {}: the unit code before this block is missing or wrong{}",
@@ -379,7 +383,7 @@ impl Rules<'_> {
         }
         let per_revolution = state.feed_mode == Some(FeedMode::PerRevolution) && !context.in_thread;
         if per_revolution || state.feed_mode.is_none() {
-            let code = if self.facts.form == Form::Statements { "M137" } else { "G94" };
+            let code = if self.facts.form == LineForm::Statements { "M137" } else { "G94" };
             let since = state.since_lost(state.feed_mode.is_none());
             return Some(format!("feed mode is not per minute ({code}){since}"));
         }

@@ -33,7 +33,7 @@ const POLE_PARTS: u32 = 16;
 
 /// Words and axis values of one machine, set-up and tool, by position in the chain.
 #[derive(Debug, Clone)]
-pub(crate) struct Words {
+pub(crate) struct MachineWords {
     chain: Chain,
     axes: SolvedAxes,
     /// Linear words less axis values without tool, mm.
@@ -90,7 +90,7 @@ impl SolvedAxes {
     }
 }
 
-impl Words {
+impl MachineWords {
     pub(crate) fn new(machine: &dyn AnyMachine, policy: &CheckPolicy) -> Self {
         let set_up = &policy.set_up;
         let mut words = Self {

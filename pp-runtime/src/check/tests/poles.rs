@@ -4,13 +4,13 @@ use std::f64::consts::TAU;
 
 use super::*;
 use crate::check::read::MAX_AXES;
-use crate::check::rules::Words;
+use crate::check::rules::MachineWords;
 
 #[test]
 fn the_rotary_axes_of_a_tool_axis_near_the_pole_are_found() {
     let (control, config) = configured::<Tables>("siemens", Mode::Tcp, "");
     let policy = config.check_policy::<Tables>(control, None).expect("it can be checked");
-    let words = Words::new(&Tables::default(), &policy);
+    let words = MachineWords::new(&Tables::default(), &policy);
     let rotary: Vec<usize> = words.rotary().collect();
     let &[table, tilting] = &rotary[..] else { panic!("two axes: {rotary:?}") };
     for tilt in [1e-3, 1e-4, 3e-5, 1e-5, 1e-6] {

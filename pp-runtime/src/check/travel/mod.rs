@@ -17,8 +17,8 @@ use nalgebra::Vector3;
 
 use super::geometry::{Extent, ToolPose};
 use super::read::{Block, MAX_AXES, TipControl};
-use super::report::{Shown, Tally};
-use super::rules::{Rules, Words, sweep};
+use super::report::{ShownBlock, Tally};
+use super::rules::{MachineWords, Rules, sweep};
 use crate::check::tolerances::AXIS_VALUE_NOISE;
 use crate::kinematics::{Axis, AxisKind, Limits};
 use crate::program::Location;
@@ -50,7 +50,7 @@ pub(super) struct Travel {
 pub(super) struct Findings<'t> {
     pub(crate) tally: &'t mut Tally,
     pub(crate) at: Location,
-    pub(crate) shown: Shown<'t>,
+    pub(crate) shown: ShownBlock<'t>,
 }
 
 impl Findings<'_> {
@@ -138,7 +138,7 @@ impl Travel {
     }
 
     /// What is wrong with the values of the axes whose words are known.
-    fn judge_known(&mut self, block: &Block, words: &Words, value: impl Fn(usize) -> f64) -> Option<String> {
+    fn judge_known(&mut self, block: &Block, words: &MachineWords, value: impl Fn(usize) -> f64) -> Option<String> {
         let mut axes = self.axes.iter_mut().filter(|axis| block.known & (1 << axis.index) != 0);
         axes.find_map(|axis| axis.judge(value(axis.index), words, AXIS_VALUE_NOISE))
     }
@@ -149,7 +149,7 @@ impl Travel {
     }
 
     /// Values within which nothing is outside and no span grows.
-    fn quiet(&self, words: &Words) -> Extent {
+    fn quiet(&self, words: &MachineWords) -> Extent {
         let mut quiet = Extent { low: [f64::NEG_INFINITY; MAX_AXES], high: [f64::INFINITY; MAX_AXES] };
         for axis in &self.axes {
             let ((low, high), zero) = (axis.bounds(), axis.zero_mm(words));
@@ -172,7 +172,7 @@ impl Travel {
     /// Reports each axis that leaves its limits within a block, farther than at the ends of the block.
     fn judge(
         &mut self,
-        words: &Words,
+        words: &MachineWords,
         extent: &Extent,
         ends: [&[f64; MAX_AXES]; 2],
         place: &str,
@@ -194,7 +194,7 @@ impl Travel {
 
 impl LimitedAxis {
     /// Machine coordinate less axis value, mm.
-    fn zero_mm(&self, words: &Words) -> f64 {
+    fn zero_mm(&self, words: &MachineWords) -> f64 {
         if self.rotary { 0.0 } else { self.machine_zero_mm.unwrap_or(0.0) + words.gauge_of(self.index) }
     }
 
@@ -205,7 +205,7 @@ impl LimitedAxis {
     }
 
     /// What is wrong with an axis value, beyond `slack`.
-    fn judge(&mut self, value: f64, words: &Words, slack: f64) -> Option<String> {
+    fn judge(&mut self, value: f64, words: &MachineWords, slack: f64) -> Option<String> {
         let coordinate = value + self.zero_mm(words);
         if self.rotary || self.machine_zero_mm.is_some() {
             return self.outside(coordinate, slack);

@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 
 use super::super::geometry::{PathPoint, PathShape, Search, Segment};
 use super::super::read::{PoseSelector, set_bits};
-use super::super::rules::{ArcWords, BlockPath};
+use super::super::rules::{BlockPath, WordsAlongArc};
 use super::{Block, Extent, Findings, MAX_AXES, Rules, TipControl, ToolPose, Travel, Vector3, sweep};
 use crate::check::tolerances::{CONTROL_CHOOSES_NEAR_POLE, POLE_ANGLE_NOISE, SAME_POSITION};
 use crate::kinematics::math::{hypot, larger, smaller};
@@ -220,7 +220,7 @@ impl Travel {
 /// values of the axes before the block; `at`: those with words.
 fn circle(
     axes: u16,
-    arc: &ArcWords,
+    arc: &WordsAlongArc,
     start: &[f64; MAX_AXES],
     at: impl Fn(&[f64; MAX_AXES]) -> Option<[f64; MAX_AXES]>,
 ) -> Option<Extent> {

@@ -31,12 +31,12 @@ pub struct StatedTool {
 
 /// Place of a statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Place {
+enum StatedAt {
     Line(u64),
     Configuration,
 }
 
-impl Place {
+impl StatedAt {
     fn text(self, number: u32) -> String {
         match self {
             Self::Line(line) => format!("line {line}"),
@@ -46,10 +46,10 @@ impl Place {
 }
 
 /// A value and where it was stated first.
-type Stated<T> = Option<(T, Place)>;
+type Stated<T> = Option<(T, StatedAt)>;
 
 #[derive(Debug, Clone, Copy, Default)]
-struct Row {
+struct ToolRow {
     diameter_mm: Stated<f64>,
     corner_radius_mm: Stated<f64>,
     length_mm: Stated<f64>,
@@ -63,7 +63,7 @@ pub(crate) type CutterAt = (CutterRecord, Location);
 #[derive(Debug, Default)]
 pub(crate) struct ToolTable {
     /// By tool number, none for what cuts without a call, and by register.
-    rows: BTreeMap<(Option<u32>, u32), Row>,
+    rows: BTreeMap<(Option<u32>, u32), ToolRow>,
     /// Names by tool number, with the line of the first and whether another one has been remarked on.
     names: BTreeMap<u32, (String, u64, bool)>,
     /// Register of the last call of each tool that had one.
@@ -85,7 +85,7 @@ impl ToolTable {
         given: Option<&StatedTool>,
     ) -> Result<(), Contradiction> {
         let (number, units) = (call.number, self.units);
-        let place = Place::Line(here.line);
+        let place = StatedAt::Line(here.line);
         if let Some((offset, register)) = given.and_then(|given| given.offset).zip(call.length_offset)
             && offset != register
         {
@@ -147,10 +147,10 @@ impl ToolTable {
         without_call.find_map(|row| size(row).1)
     }
 
-    fn row(&mut self, number: Option<u32>, register: u32, given: Option<&StatedTool>) -> &mut Row {
+    fn row(&mut self, number: Option<u32>, register: u32, given: Option<&StatedTool>) -> &mut ToolRow {
         self.rows.entry((number, register)).or_insert_with(|| {
-            let stated = |value: Option<f64>| value.map(|value| (value, Place::Configuration));
-            given.map_or_else(Row::default, |given| Row {
+            let stated = |value: Option<f64>| value.map(|value| (value, StatedAt::Configuration));
+            given.map_or_else(ToolRow::default, |given| ToolRow {
                 diameter_mm: stated(given.diameter_mm),
                 corner_radius_mm: stated(given.corner_radius_mm),
                 // The length is that of its own register.
@@ -162,22 +162,27 @@ impl ToolTable {
 }
 
 /// Diameter and corner radius that the CL data states.
-fn size(row: &Row) -> (Option<f64>, Option<f64>) {
+fn size(row: &ToolRow) -> (Option<f64>, Option<f64>) {
     let of = |stated: Stated<f64>| stated.map(|(value, _)| value);
     (of(row.diameter_mm.filter(of_cl_data)), of(row.corner_radius_mm.filter(of_cl_data)))
 }
 
-fn of_cl_data(stated: &(f64, Place)) -> bool {
-    stated.1 != Place::Configuration
+fn of_cl_data(stated: &(f64, StatedAt)) -> bool {
+    stated.1 != StatedAt::Configuration
 }
 
 /// Takes a value, or returns the statement that it contradicts. What is one tool by the configuration has the sizes given there.
-fn state(into: &mut Stated<f64>, value: f64, place: Place, given: Option<&StatedTool>) -> Result<(), (f64, Place)> {
+fn state(
+    into: &mut Stated<f64>,
+    value: f64,
+    place: StatedAt,
+    given: Option<&StatedTool>,
+) -> Result<(), (f64, StatedAt)> {
     match *into {
         None => *into = Some((value, place)),
-        Some((_, Place::Configuration)) if given.is_some_and(|given| given.is_one) => {}
+        Some((_, StatedAt::Configuration)) if given.is_some_and(|given| given.is_one) => {}
         Some((known, its_place)) if (known - value).abs() <= SAME_SIZE_MM => {
-            if its_place == Place::Configuration {
+            if its_place == StatedAt::Configuration {
                 *into = Some((value, place));
             }
         }
@@ -187,18 +192,18 @@ fn state(into: &mut Stated<f64>, value: f64, place: Place, given: Option<&Stated
 }
 
 fn take_cutter(
-    row: &mut Row,
+    row: &mut ToolRow,
     cutter: &CutterRecord,
     at: Location,
     (number, units): (Option<u32>, Units),
     given: Option<&StatedTool>,
 ) -> Result<(), Contradiction> {
-    let place = Place::Line(at.line);
+    let place = StatedAt::Line(at.line);
     let path = given.and_then(|given| given.path_diameter_mm);
     if path.is_some_and(|path| (path - cutter.diameter).abs() <= SAME_SIZE_MM) {
         return Ok(());
     }
-    let against = |what: String, (other, its_place): (String, Place)| {
+    let against = |what: String, (other, its_place): (String, StatedAt)| {
         (at, contradiction(number, &what, place, (&other, its_place)))
     };
     state(&mut row.diameter_mm, cutter.diameter, place, given).map_err(|(other, its_place)| {
@@ -220,7 +225,7 @@ fn take_cutter(
     Ok(())
 }
 
-fn contradiction(number: Option<u32>, what: &str, place: Place, (other, its_place): (&str, Place)) -> ClFault {
+fn contradiction(number: Option<u32>, what: &str, place: StatedAt, (other, its_place): (&str, StatedAt)) -> ClFault {
     let Some(number) = number else {
         let text =
             format!("the tool in the spindle has a {what} in {} and {other} in {}", place.text(0), its_place.text(0));

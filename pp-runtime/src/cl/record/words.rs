@@ -48,13 +48,13 @@ impl Handling {
 
 /// A major word and its handling.
 #[derive(Debug)]
-pub(crate) struct Row {
+pub(crate) struct WordRow {
     pub(crate) word: MajorWord,
     pub(crate) handling: Handling,
 }
 
-const fn row(name: &'static str, handling: Handling, forms: &'static str) -> Row {
-    Row { word: MajorWord { name, forms }, handling }
+const fn row(name: &'static str, handling: Handling, forms: &'static str) -> WordRow {
+    WordRow { word: MajorWord { name, forms }, handling }
 }
 
 use Handling::{Automatic, Hazard, Inert, Lathe, Read, ReadText, Refused};
@@ -82,7 +82,7 @@ pub(crate) const CIRCLE: MajorWord = MajorWord {
 
 /// The table, sorted by name, in capitals. The third column lists the forms that are read.
 #[rustfmt::skip] // One row in one line.
-static TABLE: &[Row] = &[
+static TABLE: &[WordRow] = &[
     row("ALIGN", Hazard(MACHINE_AXES), ""),
     // Script of *Mori APT* of Autodesk, as are MCSYS, OPNAME, TCP, `MOVARC/CENTER`, `CUTCOM/ON,LENGTH` and `TOOLNO/..,OSETNO`.
     row("APPLY", Read(|args| program::mode(args, &["MILL"]).map(|()| Record::Inert)), "/MILL"),
@@ -98,7 +98,7 @@ static TABLE: &[Row] = &[
     row("CHECK", Inert, ""),
     // x,y,z,r: *Supported CL Data Commands*; 6 numbers: files of SolidWorks CAM; 11: help of NX, script of *CAMplete APT*. Words
     // of the sense: `arc`.
-    Row { word: CIRCLE, handling: Read(|args| arc::circle(args).map(Arc)) },
+    WordRow { word: CIRCLE, handling: Read(|args| arc::circle(args).map(Arc)) },
     row("CLAMP", Automatic(CLAMPS), "/TABLE,ALL,AUTO|OFF leaves the clamps to the postprocessor"),
     row("CLEARP", Read(|args| coordinates::clearance_plane(args).map(Coordinates)), "/XYPLAN|YZPLAN|ZXPLAN,d; /a,b,c,d"),
     row("CLRSRF", Refused("it sets a clearance surface that is not a plane"), ""),
@@ -129,7 +129,7 @@ static TABLE: &[Row] = &[
     row("FROM", Read(|args| Point::parse(args).map(|point| Motion(MotionRecord::From(point)))), "/x,y,z[,i,j,k]"),
     row("GODLTA", Read(|args| motion::increment(args).map(Motion)), "/dx,dy,dz[,i,j,k]; /d along the tool axis"),
     row("GOHOME", Read(|args| motion::home(args).map(Motion)), "[/x,y,z[,i,j,k]]"),
-    Row { word: GOTO, handling: Read(|args| motion::goto(args).map(Motion)) },
+    WordRow { word: GOTO, handling: Read(|args| motion::goto(args).map(Motion)) },
     row("HEAD", Hazard(MACHINE_AXES), ""),
     row("INDEX", Hazard(MOVES_COORDINATES), ""),
     row("INDIRV", Read(|args| arc::direction(args).map(Arc)), "/i,j,k before TLON"),
@@ -246,7 +246,7 @@ fn cutcom<'a>(args: &mut Args<'a>) -> Result<Record<'a>, ClFault> {
 /// needs the size of a cutter is refused, so they may be declared inert.
 const NOTES: [&str; 6] = ["CUTTER", "MACHIN", "PARTNO", "PPRINT", "TLDATA", "TOOLNO"];
 
-impl Row {
+impl WordRow {
     /// Whether the word is read for notes only.
     pub(crate) fn is_note(&self) -> bool {
         NOTES.contains(&self.word.name)
@@ -257,10 +257,10 @@ impl Row {
 const TOOL_DESCRIPTION: &[u8] = b"CSI_";
 
 /// Row of all words with that prefix.
-static TOOL_DESCRIBED: Row = row("CSI_", Inert, "");
+static TOOL_DESCRIBED: WordRow = row("CSI_", Inert, "");
 
 /// Finds the row of a major word, in capitals or small letters.
-pub(crate) fn look_up(word: &[u8]) -> Option<&'static Row> {
+pub(crate) fn look_up(word: &[u8]) -> Option<&'static WordRow> {
     match TABLE.binary_search_by(|row| compare(row.word.name.as_bytes(), word)) {
         Ok(index) => Some(&TABLE[index]),
         Err(_) => {
@@ -301,7 +301,7 @@ pub fn list(out: &mut dyn Write) -> io::Result<()> {
         out,
         "Words of CL data. A word that is not listed is refused, unless `--inert WORD` declares it inert\nor `[cl.words]` of the configuration states the block of its statement."
     )?;
-    list_section(out, "Read", |Row { word: MajorWord { name, forms }, handling }| {
+    list_section(out, "Read", |WordRow { word: MajorWord { name, forms }, handling }| {
         let glue = if forms.starts_with(['/', ',', '[']) || forms.is_empty() { "" } else { " " };
         handling.is_read().then(|| format!("{name}{glue}{forms}"))
     })?;
@@ -326,7 +326,7 @@ pub fn list(out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Writes a heading and a line for each row of which `line` makes one.
-fn list_section(out: &mut dyn Write, heading: &str, line: impl Fn(&Row) -> Option<String>) -> io::Result<()> {
+fn list_section(out: &mut dyn Write, heading: &str, line: impl Fn(&WordRow) -> Option<String>) -> io::Result<()> {
     writeln!(out, "\n{heading}")?;
     TABLE.iter().filter_map(line).try_for_each(|line| writeln!(out, "    {line}"))
 }
@@ -403,7 +403,7 @@ mod tests {
         let mut text = Vec::new();
         list(&mut text).unwrap();
         let text = String::from_utf8(text).unwrap();
-        for Row { word: MajorWord { name, .. }, .. } in TABLE {
+        for WordRow { word: MajorWord { name, .. }, .. } in TABLE {
             let listed = text.lines().filter(|line| {
                 let word = line.trim_start().split(['/', ',', '[']).next().unwrap();
                 line.starts_with("    ") && (word == *name || word.starts_with(&format!("{name} ")))

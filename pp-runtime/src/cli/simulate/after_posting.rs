@@ -9,14 +9,14 @@ use crate::kinematics::AnyMachine;
 use super::super::args::PostArgs;
 use super::super::cl_source::ClSource;
 use super::super::inputs::show_simulation;
-use super::super::messages::Messages;
+use super::super::messages::MessageWriter;
 use super::super::outcome::Failure;
 use super::super::posting::{AfterPosting, Finished, PostRun};
 use super::bodies::Bodies;
 use super::simulate;
 
 /// The bodies of a program that is being posted, and its text.
-struct Posted<'a> {
+struct PostedBodies<'a> {
     bodies: Bodies,
     text: File,
     args: &'a PostArgs,
@@ -35,10 +35,10 @@ pub(crate) fn after_posting<'a>(
     }
     let bodies = Bodies::read(&config.set_up, &args.simulation, config.output_units.unwrap_or_default())?;
     let text = tempfile::tempfile().map_err(|error| Failure::unwritable(&args.output, error))?;
-    Ok(Some(Box::new(Posted { bodies, text, args })))
+    Ok(Some(Box::new(PostedBodies { bodies, text, args })))
 }
 
-impl AfterPosting for Posted<'_> {
+impl AfterPosting for PostedBodies<'_> {
     fn writer(&mut self) -> &mut dyn Write {
         &mut self.text
     }
@@ -49,7 +49,7 @@ impl AfterPosting for Posted<'_> {
         machine: &dyn AnyMachine,
         run: &PostRun<'_>,
         source: &mut ClSource,
-        messages: &mut Messages<'_>,
+        messages: &mut MessageWriter<'_>,
     ) -> Result<Finished, Failure> {
         let Self { bodies, mut text, args } = *self;
         let again = |error: io::Error| Failure::unwritable(run.output, error);

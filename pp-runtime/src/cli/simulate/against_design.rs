@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::simulate::{Comparison, Deviations, LineRecords, Origin, Region, limits_of};
+use crate::simulate::{DesignComparison, Deviations, LineRecords, Origin, Region, limits_of};
 
 /// Regions of each kind that are sentences; JSON has all that are kept.
 const MOST_SENTENCES: usize = 20;
@@ -12,7 +12,7 @@ const BAR: f64 = 40.0;
 
 /// Tolerances of a comparison, mm.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Tolerances {
+pub(super) struct DesignTolerances {
     pub(super) gouge_mm: f64,
     pub(super) rest_mm: f64,
     /// Of the triangles of the design.
@@ -21,7 +21,7 @@ pub(super) struct Tolerances {
     pub(super) certified_mm: f64,
 }
 
-impl Tolerances {
+impl DesignTolerances {
     /// Distance from which there is a gouge.
     pub(super) fn gouge_limit_mm(&self) -> f64 {
         self.gouge_mm + self.design_mm + self.certified_mm
@@ -35,9 +35,9 @@ impl Tolerances {
 
 /// A comparison with the records of its lines.
 pub(super) struct AgainstDesign {
-    pub(super) comparison: Comparison,
+    pub(super) comparison: DesignComparison,
     pub(super) records: LineRecords,
-    pub(super) tolerances: Tolerances,
+    pub(super) tolerances: DesignTolerances,
     /// Name of the design, and number of its triangles.
     pub(super) name: String,
     pub(super) triangles: usize,
@@ -138,8 +138,8 @@ impl AgainstDesign {
 
     /// The largest values in one line.
     pub(super) fn line(&self) -> String {
-        let Tolerances { gouge_mm, rest_mm, .. } = self.tolerances;
-        let Comparison { gouge, rest, .. } = &self.comparison;
+        let DesignTolerances { gouge_mm, rest_mm, .. } = self.tolerances;
+        let DesignComparison { gouge, rest, .. } = &self.comparison;
         format!("gouge {:.3} mm of {gouge_mm}, rest {:.3} mm of {rest_mm}", gouge.largest_mm, rest.largest_mm)
     }
 
@@ -158,8 +158,8 @@ impl AgainstDesign {
     /// Rest material, the largest values, and the histogram.
     pub(super) fn notes(&self) -> Vec<String> {
         let Self { name, triangles, .. } = self;
-        let Tolerances { design_mm, certified_mm, .. } = self.tolerances;
-        let Comparison { rest, histogram, .. } = &self.comparison;
+        let DesignTolerances { design_mm, certified_mm, .. } = self.tolerances;
+        let DesignComparison { rest, histogram, .. } = &self.comparison;
         let mut all = self.sentences("rest material", rest);
         all.push(format!(
             "{}, against {name}, {triangles} triangles, mm in the coordinates \
@@ -184,8 +184,8 @@ impl AgainstDesign {
     }
 
     pub(super) fn figures(&self) -> DesignFigures {
-        let Tolerances { gouge_mm, rest_mm, design_mm, certified_mm } = self.tolerances;
-        let Comparison { gouge, rest, histogram, .. } = &self.comparison;
+        let DesignTolerances { gouge_mm, rest_mm, design_mm, certified_mm } = self.tolerances;
+        let DesignComparison { gouge, rest, histogram, .. } = &self.comparison;
         let regions = |what: &str, found: &Deviations| {
             found.regions.iter().map(|region| self.region(self.sentence(what, region), region)).collect()
         };

@@ -8,7 +8,7 @@ use nalgebra::Rotation3;
 
 use crate::program::Units;
 use crate::set_up::{SetUp, Solid, SolidShape, Stock};
-use crate::simulate::{Design, MachineSolid, Mesh, SolidBody, SolidFault, StockFault, ToolTable, TriDexel};
+use crate::simulate::{Design, MachineSolid, MachineToolTable, Mesh, SolidBody, SolidFault, StockFault, TriDexel};
 
 use super::super::args::SimulationArgs;
 use super::super::inputs::read_text;
@@ -28,7 +28,7 @@ pub(super) struct Bodies {
     pub(super) design: Option<GivenDesign>,
     pub(super) solids: Vec<MachineSolid>,
     /// The tools as the machine knows them.
-    pub(super) tool_table: Option<ToolTable>,
+    pub(super) tool_table: Option<MachineToolTable>,
 }
 
 /// A design with its name, and the tolerance with which its triangles were made, mm.
@@ -71,9 +71,9 @@ fn open(path: &Path) -> io::Result<File> {
     }
 }
 
-fn tool_table(path: &Path, unit: Units) -> Result<ToolTable, Failure> {
+fn tool_table(path: &Path, unit: Units) -> Result<MachineToolTable, Failure> {
     let text = read_text(path, "tool table")?;
-    ToolTable::read(&text, unit.in_mm())
+    MachineToolTable::read(&text, unit.in_mm())
         .map_err(|fault| Failure::Argument(format!("{} is no tool table: {fault}", path.display())))
 }
 

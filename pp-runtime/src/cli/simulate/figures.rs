@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::simulate::{EPS_MM, Outcome, Size, What};
+use crate::simulate::{EPS_MM, SimulationOutcome, Size, What};
 
 use super::against_design::{AgainstDesign, DesignFigures};
 
@@ -21,19 +21,19 @@ pub(super) struct Figures<'a> {
     not_checked: Vec<String>,
     /// Tools whose length or diameter in the tool table differs from the posted one.
     tool_table: &'a [String],
-    operations: Vec<Removal>,
+    operations: Vec<RemovalFigures>,
     tools: Vec<RemovalOfTool>,
     engagement: OverTime<'a>,
-    findings: Vec<Finding<'a>>,
+    findings: Vec<FindingFigures<'a>>,
     /// Smallest distances of bodies of the machine, fixtures, tools and stock.
-    clearances: Vec<Clearance<'a>>,
+    clearances: Vec<ClearanceFigures<'a>>,
     /// The comparison with the design; null: no design given.
     design: Option<DesignFigures>,
 }
 
 /// Removal of an operation with a tool; the largest rate is over about a second.
 #[derive(Serialize)]
-struct Removal {
+struct RemovalFigures {
     operation: u64,
     tool: u32,
     removed_mm3: f64,
@@ -58,7 +58,7 @@ struct OverTime<'a> {
 
 /// A finding. Volume and length are those of stock, the distance that of two bodies: null where they collide.
 #[derive(Serialize)]
-struct Finding<'a> {
+struct FindingFigures<'a> {
     kind: &'static str,
     text: String,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -80,7 +80,7 @@ struct Finding<'a> {
 }
 
 #[derive(Serialize)]
-struct Clearance<'a> {
+struct ClearanceFigures<'a> {
     bodies: &'a [String; 2],
     distance_mm: f64,
     line: u64,
@@ -93,13 +93,13 @@ struct Clearance<'a> {
 impl<'a> Figures<'a> {
     /// `sizes`: pitch, and corners of the stock.
     pub(super) fn of(
-        outcome: &'a Outcome,
+        outcome: &'a SimulationOutcome,
         against: Option<&AgainstDesign>,
         passed: bool,
         (pitch_mm, stock_mm): ([f64; 3], [[f64; 3]; 2]),
     ) -> Self {
         let engagement = &outcome.engagement;
-        let operations = engagement.operations.iter().map(|((operation, tool), removal)| Removal {
+        let operations = engagement.operations.iter().map(|((operation, tool), removal)| RemovalFigures {
             operation: *operation,
             tool: *tool,
             removed_mm3: removal.volume_mm3,
@@ -117,7 +117,7 @@ impl<'a> Figures<'a> {
                 Size::Cut { volume_mm3, longest_mm } => (Some(volume_mm3), Some(longest_mm), None),
                 Size::Apart(least_mm) => (None, None, Some(least_mm)),
             };
-            Finding {
+            FindingFigures {
                 kind: found.what.name(),
                 text: found.text(),
                 bodies: match &found.what {
@@ -136,7 +136,7 @@ impl<'a> Figures<'a> {
                 axes: &found.axes,
             }
         });
-        let clearances = outcome.clearances.iter().map(|smallest| Clearance {
+        let clearances = outcome.clearances.iter().map(|smallest| ClearanceFigures {
             bodies: &smallest.bodies,
             distance_mm: smallest.distance_mm,
             line: smallest.line,

@@ -17,8 +17,8 @@ use std::path::Path;
 use crate::check::{CheckPolicy, Checked, check_observed};
 use crate::kinematics::AnyMachine;
 use crate::simulate::{
-    LineRecords, Machined, Machining, Origin, Outcome, PartPlaces, Recording, Simulation, ToolBodies, clearances,
-    without_solids,
+    LineRecords, Machined, Machining, Origin, PartPlaces, Recording, Simulation, SimulationOutcome, ToolBodies,
+    clearances, without_solids,
 };
 use crate::view::{ClFacts, Collector, Motions, ViewedProgram};
 
@@ -28,16 +28,16 @@ use super::cl_source::ClSource;
 use super::inputs::{
     cl_file, open_cl_data, posting_passes, read_config, refuse_overwriting, show_progress, show_simulation,
 };
-use super::messages::Messages;
+use super::messages::MessageWriter;
 use super::outcome::{Failure, Status, Streams, is_standard, print};
 use super::posting::{PostFn, PostRun};
 use super::self_check::Checking;
 use super::view::{self, IN_MEMORY, PageFile, PagePart};
 pub(super) use after_posting::after_posting;
-use against_design::{AgainstDesign, Tolerances};
+use against_design::{AgainstDesign, DesignTolerances};
 use bodies::{Bodies, GivenDesign};
 use figures::Figures;
-use page::Shown;
+use page::ShownBodies;
 
 /// Result of a simulation.
 struct Simulated {
@@ -46,14 +46,14 @@ struct Simulated {
     /// A tool table has given lengths to them.
     tool_table: bool,
     checked: Checked,
-    outcome: Outcome,
+    outcome: SimulationOutcome,
     against: Option<AgainstDesign>,
     pitch_mm: [f64; 3],
     stock_mm: [[f64; 3]; 2],
     /// No finding is one that the run must not have.
     passed: bool,
     /// For a page.
-    shown: Option<Shown>,
+    shown: Option<ShownBodies>,
 }
 
 impl PagePart for Simulated {
@@ -91,7 +91,7 @@ impl Simulated {
     }
 
     /// Writes collisions and gouges.
-    fn findings(&self, messages: &mut Messages<'_>) {
+    fn findings(&self, messages: &mut MessageWriter<'_>) {
         for found in &self.outcome.found {
             messages.warning(&found.text());
         }
@@ -105,7 +105,7 @@ impl Simulated {
     }
 
     /// Writes findings and summary.
-    fn report(&self, messages: &mut Messages<'_>) {
+    fn report(&self, messages: &mut MessageWriter<'_>) {
         self.findings(messages);
         if let Some(against) = &self.against {
             against.notes().iter().for_each(|text| messages.note(text));
@@ -120,7 +120,7 @@ pub(crate) fn run(
     streams: &mut Streams<'_>,
     post: PostFn<'_>,
 ) -> Result<Status, Failure> {
-    let mut messages = Messages::new(streams.errors, args.format());
+    let mut messages = MessageWriter::new(streams.errors, args.format());
     let config = read_config(machine, &args.set_up, &mut messages)?;
     let bodies = Bodies::read(&config.set_up, &args.simulation, config.output_units.unwrap_or_default())?;
     if args.output.as_deref().is_some_and(is_standard) {
@@ -254,7 +254,7 @@ fn simulate(
     let (mut against, mut kept_design) = (None, None);
     match design {
         Some(GivenDesign { design, name: design_name, tolerance_mm }) => {
-            let tolerances = Tolerances {
+            let tolerances = DesignTolerances {
                 gouge_mm: args.gouge_tolerance_mm.unwrap_or(policy.largest_path_mm()),
                 rest_mm: args.rest_tolerance_mm.unwrap_or(policy.largest_path_mm()),
                 design_mm: tolerance_mm,
@@ -291,7 +291,7 @@ fn simulate(
     if let Some(path) = &args.save_stock {
         outcome.saved = Some(saved_stock::save(&policy.set_up, last, &machined, path)?);
     }
-    let shown = kept_tools.map(|tools| Shown {
+    let shown = kept_tools.map(|tools| ShownBodies {
         stock: machined,
         set_up: last,
         stages: recording.and_then(Recording::stages),

@@ -7,9 +7,10 @@ use nalgebra::Isometry3;
 use crate::kinematics::AnyMachine;
 use crate::set_up::{SetUp, SolidLink};
 use crate::simulate::{
-    Design, EndValues, Links, MachineSolid, MarkedSurface, PartPlaces, RemovedPart, Stage, ToolBodies, TriDexel,
+    ClampedStage, Design, EndValues, MachineLinks, MachineSolid, MarkedSurface, PartPlaces, RemovedPart, ToolBodies,
+    TriDexel,
 };
-use crate::view::{PageBody, PageStage, Part, Role, SimulatedPage, ToolPart, ViewedProgram};
+use crate::view::{PageBody, PageStage, Role, SimulatedLinePart, SimulatedPage, ToolPart, ViewedProgram};
 
 /// Version of the data.
 const FORMAT: u32 = 1;
@@ -21,11 +22,11 @@ const MOST_PLACES: f64 = 150_000.0;
 const CHORD_MM: f64 = 0.02;
 
 /// Bodies of a finished simulation.
-pub(super) struct Shown {
+pub(super) struct ShownBodies {
     pub(super) stock: TriDexel,
     /// Set-up in which it lies.
     pub(super) set_up: u32,
-    pub(super) stages: Option<Vec<Stage>>,
+    pub(super) stages: Option<Vec<ClampedStage>>,
     /// Where the stock is.
     pub(super) design: Option<Design>,
     pub(super) solids: Vec<MachineSolid>,
@@ -33,7 +34,7 @@ pub(super) struct Shown {
     pub(super) places: PartPlaces,
 }
 
-impl Shown {
+impl ShownBodies {
     /// The part of the page. `line` and `summary`: the result as sentences.
     pub(super) fn page(
         &self,
@@ -43,7 +44,7 @@ impl Shown {
         figures: serde_json::Value,
         (line, summary): (String, Vec<String>),
     ) -> io::Result<SimulatedPage> {
-        let links = Links::of(machine, set_up);
+        let links = MachineLinks::of(machine, set_up);
         let numbers: Vec<u32> = set_up.clampings().map(|(number, _)| number).collect();
         let index = |number: u32| numbers.iter().position(|other| *other == number).unwrap_or(0);
         let mut bodies = vec![self.machined()?];
@@ -106,9 +107,11 @@ fn matrix(place: Isometry3<f64>) -> Vec<f64> {
     place.to_homogeneous().iter().copied().collect()
 }
 
-fn stage(stage: &Stage, set_up: usize) -> io::Result<PageStage> {
-    let material = stage.material.iter().map(|(stock_line, ends)| -> Part { (*stock_line, *ends, 0) });
-    let removed =
-        stage.removed.iter().map(|RemovedPart { stock_line, ends, line }| -> Part { (*stock_line, *ends, *line) });
+fn stage(stage: &ClampedStage, set_up: usize) -> io::Result<PageStage> {
+    let material = stage.material.iter().map(|(stock_line, ends)| -> SimulatedLinePart { (*stock_line, *ends, 0) });
+    let removed = stage
+        .removed
+        .iter()
+        .map(|RemovedPart { stock_line, ends, line }| -> SimulatedLinePart { (*stock_line, *ends, *line) });
     PageStage::new(set_up, stage.corners, stage.counts, material, removed)
 }

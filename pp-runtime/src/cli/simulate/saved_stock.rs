@@ -4,7 +4,7 @@ use std::io::{self, BufWriter, Write as _};
 use std::path::Path;
 
 use crate::set_up::SetUp;
-use crate::simulate::{Mesh, Surface, TriDexel};
+use crate::simulate::{Mesh, TriDexel, TriangleSurface};
 
 use super::super::outcome::Failure;
 use super::super::output_file::OutputFile;
@@ -34,7 +34,7 @@ pub(super) fn save(set_up: &SetUp, number: u32, stock: &TriDexel, path: &Path) -
 
 /// Largest distance of an end of the stock from its surface, mm. Parts thinner than the pitch are left out.
 fn farthest(mesh: &Mesh, stock: &TriDexel) -> f64 {
-    let surface = Surface::new(mesh.corners_of_triangles());
+    let surface = TriangleSurface::new(mesh.corners_of_triangles());
     let mut farthest: f64 = 0.0;
     for (family, pitch) in stock.pitch().into_iter().enumerate() {
         stock.each(family, |across, spans| {

@@ -23,7 +23,7 @@ fn json_messages_are_one_object_per_line() {
 /// The messages for findings about `text`.
 fn messages(text: &[u8], found: &[Diagnostic]) -> String {
     let mut out = Vec::new();
-    Messages::new(&mut out, MessageFormat::Human).diagnostics("p.cls", &mut &*text, found);
+    MessageWriter::new(&mut out, MessageFormat::Human).diagnostics("p.cls", &mut &*text, found);
     String::from_utf8(out).expect("messages are text")
 }
 

@@ -4,7 +4,7 @@ use nalgebra::{Point3, Vector3};
 use serde_json::{Value as Json, json};
 
 use crate::keys::{
-    AxisEntry, AxisSet, Bound, KeyKind, KeyReader, KeyScope, KeyTable, LengthPoint, PerAxis, Printed, Quantity,
+    AxisEntry, AxisSet, Bound, KeyKind, KeyReader, KeyScope, KeyTable, LengthPoint, PerAxis, Printed, QuantityKind,
     TomlValue, along, solved,
 };
 use crate::kinematics::{Axis, AxisKind, Limits};
@@ -177,7 +177,7 @@ pub(crate) const GRID: PerAxis<f64> = PerAxis {
     axes: AxisSet::Solved,
     section: true,
     read: |r, entry| {
-        let step = r.number(entry.value, Quantity::Angle, Bound::Positive)?;
+        let step = r.number(entry.value, QuantityKind::Angle, Bound::Positive)?;
         let steps = std::f64::consts::TAU / step;
         if (steps - steps.round()).abs() > INDEX_STEP_NOISE * steps || steps < 2.0 {
             let help = "give for example 1, 2.5 or 5 degrees".to_owned();

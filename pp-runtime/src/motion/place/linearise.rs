@@ -26,7 +26,7 @@
 
 use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{
-    AxisValues, BlockDeviation, Branch, Deviation, MotionBound, OutOfLimits, Pose, Rotary, RotaryAngles, Solution,
+    AxisValues, BlockDeviation, Branch, MotionBound, OutOfLimits, Pose, Rotary, RotaryAngles, RoughDeviation, Solution,
 };
 
 use super::refusal;
@@ -210,13 +210,13 @@ impl Linearised {
     pub(crate) fn in_one_block(
         placer: &Placer,
         (from, to): (&AxisPosition, &AxisPosition),
-        (allowed, seen): (PathTolerance, Deviation),
+        (allowed, seen): (PathTolerance, RoughDeviation),
         law: RotationLaw,
     ) -> Option<WholeMotion> {
         let certifier = Certifier { placer, allowed, in_step: law == RotationLaw::InStep };
         let rounding = certifier.rounding(from, to);
         let axis_left = allowed.axis_rad - rounding.axis_rad;
-        let most = Deviation {
+        let most = RoughDeviation {
             tip: smaller(seen.tip, allowed.tip_mm) - rounding.tip_mm,
             axis: smaller(seen.axis - rounding.axis_rad, axis_left),
             axis_step: smaller(seen.axis_step - rounding.axis_rad, axis_left),

@@ -48,7 +48,7 @@ impl UsableModes {
         has_planes: bool,
     ) -> Self {
         let rotates = rotaries(machine.axes(), Side::Workpiece).chain(rotaries(machine.axes(), Side::Tool)).next();
-        let faults = |mode| Faults { machine, policy, control, mode, list: Vec::new() }.find(tip, has_planes);
+        let faults = |mode| ReasonSearch { machine, policy, control, mode, list: Vec::new() }.find(tip, has_planes);
         let [tip, plane] = [StretchMode::Tcp, StretchMode::Plane].map(faults);
         let absent = |fault: &Unsuited| matches!(fault, Unsuited::Absent(_));
         let usable = |faults: &[Unsuited]| rotates.is_some() && !faults.iter().any(absent);
@@ -81,12 +81,12 @@ pub fn unsuited(
 ) -> Vec<String> {
     let Some(mode) = policy.options.mode_of_all() else { return Vec::new() };
     let Ok(machine) = policy.set_up.machine_for(machine) else { return Vec::new() };
-    let faults = Faults { machine: &*machine, policy, control, mode, list: Vec::new() };
+    let faults = ReasonSearch { machine: &*machine, policy, control, mode, list: Vec::new() };
     faults.find(tip, has_planes).into_iter().map(Unsuited::text).collect()
 }
 
 /// Search for the reasons why a mode cannot be used.
-struct Faults<'a> {
+struct ReasonSearch<'a> {
     machine: &'a dyn AnyMachine,
     policy: Policy<'a>,
     control: &'a str,
@@ -94,7 +94,7 @@ struct Faults<'a> {
     list: Vec<Unsuited>,
 }
 
-impl Faults<'_> {
+impl ReasonSearch<'_> {
     fn absent(&mut self, text: &str, instead: &str) {
         self.list.push(Unsuited::Absent(format!("mode {}: {text}; {instead}", self.mode.name())));
     }

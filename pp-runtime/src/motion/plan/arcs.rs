@@ -97,7 +97,7 @@ struct ArcInProgram {
 }
 
 /// A piece of an arc in words.
-struct Piece {
+struct ArcPiece {
     circle: Circle,
     /// Distance between its end and the end of its words, in units.
     drift: [f64; 2],
@@ -245,12 +245,12 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         in_program: &ArcInProgram,
         cuts: Cuts,
         end: &AxisPosition,
-    ) -> Result<Option<Piece>, Fault> {
+    ) -> Result<Option<ArcPiece>, Fault> {
         let mut before: Option<(AxisPosition, [f64; 2])> = None;
         for number in 1..cuts.pieces {
             let to = self.piece_end(cuts.end(number))?;
             let piece = self.piece(in_program, cuts.share(number), self.end_of(before.as_ref()), &to);
-            let Some(Piece { drift, .. }) = piece else { return Ok(None) };
+            let Some(ArcPiece { drift, .. }) = piece else { return Ok(None) };
             before = Some((to, drift));
         }
         let last = self.piece(in_program, cuts.share(cuts.pieces), self.end_of(before.as_ref()), end);
@@ -276,9 +276,9 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         share: f64,
         (from, drift): (&AxisPosition, [f64; 2]),
         to: &AxisPosition,
-    ) -> Option<Piece> {
+    ) -> Option<ArcPiece> {
         let circle = self.circle(in_program, share, (from, drift), to)?;
-        Some(Piece { drift: self.drift(&circle, drift, to), circle })
+        Some(ArcPiece { drift: self.drift(&circle, drift, to), circle })
     }
 
     /// Distance between the end of a piece and the end of its words, in units.
@@ -361,7 +361,12 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         Ok(())
     }
 
-    fn write_pieces(&mut self, in_program: &ArcInProgram, cuts: Cuts, (last, end): (&Piece, &AxisPosition)) -> Planned {
+    fn write_pieces(
+        &mut self,
+        in_program: &ArcInProgram,
+        cuts: Cuts,
+        (last, end): (&ArcPiece, &AxisPosition),
+    ) -> Planned {
         let rate = self.planner.rate(self.arc.feed)?;
         self.planner.mover.output_mut().set_reason(if cuts.pieces > 1 {
             BlockReason::SplitArc

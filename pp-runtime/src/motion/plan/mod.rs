@@ -54,7 +54,7 @@ pub use clamps::MovingAxes;
 pub(crate) use hole::hole_extent;
 pub use machining_time::{FastestRotation, OperationTime, Times};
 pub use proof::{ProofProgram, Sweep};
-pub use statistics::{ChordedArcs, Statistics, Surface};
+pub use statistics::{ChordedArcs, Statistics, SurfaceDeviation};
 pub use threads::{Thread, Threads};
 
 use crate::motion::geometry::ClearanceGeometry;
@@ -65,7 +65,7 @@ use mover::Mover;
 use operation::FeedCap;
 use output::{Output, OutputGuards};
 use selection::Selection;
-use spindle::SpindleState;
+use spindle::PlannedSpindle;
 use tooling::Tooling;
 
 /// Turns the items of a program into steps.
@@ -76,7 +76,7 @@ pub struct Planner<'a, S> {
     upside_down: bool,
     mover: Mover<'a, S>,
     tooling: Tooling,
-    spindle: SpindleState,
+    spindle: PlannedSpindle,
     coolant: CoolantState,
     clearance: ClearanceGeometry,
     course: CourseFollower,
@@ -131,7 +131,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             upside_down: upside_down && policy.options.guards.table_check,
             mover: Mover::new(machine, policy, units, abilities, Output::new(sink, OutputGuards::of(abilities))),
             tooling: Tooling::default(),
-            spindle: SpindleState::default(),
+            spindle: PlannedSpindle::default(),
             coolant: CoolantState::default(),
             clearance: ClearanceGeometry::new(policy.options.retract.clearance),
             course: CourseFollower::default(),

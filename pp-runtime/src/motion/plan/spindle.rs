@@ -12,7 +12,7 @@ use crate::motion::step::{Sink, Step};
 
 /// The spindle while a program is planned.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct SpindleState {
+pub(crate) struct PlannedSpindle {
     request: SpindleRequest,
     /// Request of SPINDL since the last operation.
     between: SpindleRequest,
@@ -32,7 +32,7 @@ pub(crate) struct SpindleState {
     stopped_by_cycle: bool,
 }
 
-impl SpindleState {
+impl PlannedSpindle {
     /// SPINDL; `between`: it comes between two operations.
     pub(crate) fn request(&mut self, command: Command, between: bool) {
         self.request.take(command);

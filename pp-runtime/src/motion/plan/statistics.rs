@@ -1,7 +1,7 @@
 //! Counts and largest deviations of a program, for the summary.
 
 use crate::kinematics::math::larger;
-use crate::kinematics::{Deviation, MotionBound};
+use crate::kinematics::{MotionBound, RoughDeviation};
 use crate::motion::place::PathTolerance;
 
 /// Statistics of a program.
@@ -44,21 +44,21 @@ pub struct Statistics {
     /// Largest certified angle of the tool axis from the programmed one, where the tip is, in these blocks.
     pub largest_lag_rad: f64,
     /// Tool whose surface is off by most through these angles; `None` if none is known to be.
-    pub surface: Option<Surface>,
+    pub surface: Option<SurfaceDeviation>,
     /// Largest certified bounds of the tool in the spindle, since it was loaded.
-    of_tool: Deviation,
+    of_tool: RoughDeviation,
 }
 
 /// A tool and the largest angle between its axis and the programmed one, where the tip is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Surface {
+pub struct SurfaceDeviation {
     /// Radius of the tool.
     pub radius_mm: f64,
     /// The angle.
     pub angle_rad: f64,
 }
 
-impl Surface {
+impl SurfaceDeviation {
     /// How far a ball is off.
     #[must_use]
     pub fn off_mm(&self) -> f64 {
@@ -95,19 +95,19 @@ impl Statistics {
 
     /// Ends the work of a tool: its bounds belong to its radius.
     pub(crate) fn end_tool(&mut self, radius_mm: Option<f64>) {
-        let Deviation { axis, axis_step, .. } = std::mem::take(&mut self.of_tool);
+        let RoughDeviation { axis, axis_step, .. } = std::mem::take(&mut self.of_tool);
         let angle_rad = larger(axis, axis_step);
         if let Some(radius_mm) = radius_mm.filter(|_| angle_rad > 0.0) {
-            let this = Surface { radius_mm, angle_rad };
+            let this = SurfaceDeviation { radius_mm, angle_rad };
             self.surface = Some(self.surface.filter(|other| other.off_mm() >= this.off_mm()).unwrap_or(this));
         }
     }
 
     /// Largest certified bounds of the tool so far: what is below them changes no statistics.
     #[inline]
-    pub(crate) fn largest_deviation(&self, tolerance: PathTolerance) -> Deviation {
+    pub(crate) fn largest_deviation(&self, tolerance: PathTolerance) -> RoughDeviation {
         let counted = |largest: f64| if tolerance.axis_rad.is_finite() { largest } else { f64::INFINITY };
-        Deviation {
+        RoughDeviation {
             tip: self.of_tool.tip,
             axis: counted(self.of_tool.axis),
             axis_step: counted(self.of_tool.axis_step),

@@ -269,7 +269,7 @@ impl Mesh {
 
     /// The lines of a family of a stock, with the parts of them that are inside.
     pub(crate) fn lines_through<'m>(&'m self, stock: &'m TriDexel, family: usize) -> LinesThrough<'m> {
-        let lines = Lines { mesh: self, stock, family };
+        let lines = MeshLines { mesh: self, stock, family };
         let mut waiting: Vec<u32> = (0..self.faces.len() as u32).filter(|face| !lines.rows(*face).is_empty()).collect();
         waiting.sort_by_cached_key(|face| Reverse(lines.rows(*face).start));
         LinesThrough { lines, waiting, met: Vec::new(), end: 0, crossings: Vec::new(), next: 0 }
@@ -306,7 +306,7 @@ const ROWS: usize = 16;
 
 /// Lines through a body, row by row.
 pub(crate) struct LinesThrough<'m> {
-    lines: Lines<'m>,
+    lines: MeshLines<'m>,
     /// Triangles that no row has met so far, those of the first rows last.
     waiting: Vec<u32>,
     /// Triangles that the rows held have met, and those that follow may.
@@ -355,13 +355,13 @@ impl LinesThrough<'_> {
 
 /// A body and the lines of a family of a stock.
 #[derive(Clone, Copy)]
-struct Lines<'m> {
+struct MeshLines<'m> {
     mesh: &'m Mesh,
     stock: &'m TriDexel,
     family: usize,
 }
 
-impl Lines<'_> {
+impl MeshLines<'_> {
     /// Both directions across the lines.
     fn across(&self) -> [usize; 2] {
         [(self.family + 1) % 3, (self.family + 2) % 3]

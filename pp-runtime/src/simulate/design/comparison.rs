@@ -11,10 +11,10 @@ use std::collections::HashMap;
 
 use nalgebra::Isometry3;
 
-use super::nearest::Surface;
+use super::nearest::TriangleSurface;
 use crate::simulate::bodies::Mesh;
 use crate::simulate::groups::Groups;
-use crate::simulate::removal::{EndValues, Filled, TriDexel};
+use crate::simulate::removal::{EndValues, FilledPart, TriDexel};
 
 /// Regions that are kept; all are counted.
 pub(crate) const MOST_REGIONS: usize = 100;
@@ -32,7 +32,7 @@ const CLASSES: usize = 2 * (LIMITS_MM.len() + 1);
 #[derive(Debug, Clone)]
 pub(crate) struct Design {
     mesh: Mesh,
-    surface: Surface,
+    surface: TriangleSurface,
 }
 
 /// A line of the program, or the blank.
@@ -83,7 +83,7 @@ pub(crate) struct Deviations {
 
 /// Result of a comparison.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Comparison {
+pub(crate) struct DesignComparison {
     pub(crate) gouge: Deviations,
     pub(crate) rest: Deviations,
     /// Number of ends of the material by their distance from the design, from deepest inside to farthest outside.
@@ -94,7 +94,7 @@ pub(crate) struct Comparison {
     pub(crate) uneven: u64,
 }
 
-impl Comparison {
+impl DesignComparison {
     /// Lines of the program that have cut the regions.
     pub(crate) fn lines(&self) -> impl Iterator<Item = u32> {
         self.gouge.regions.iter().chain(&self.rest.regions).filter_map(|region| match region.origin {
@@ -279,7 +279,7 @@ impl Design {
     }
 
     pub(crate) fn new(mesh: Mesh) -> Self {
-        let surface = Surface::new(mesh.corners_of_triangles());
+        let surface = TriangleSurface::new(mesh.corners_of_triangles());
         Self { mesh, surface }
     }
 
@@ -290,13 +290,13 @@ impl Design {
         stock: &TriDexel,
         (gouge, rest, thin): (f64, f64, f64),
         allowance: &dyn Fn(Origin) -> f64,
-    ) -> Comparison {
+    ) -> DesignComparison {
         let ([low, high], [from, to]) = (stock.corners(), self.mesh.corners());
         let exceeds = (0..3).map(|axis| (low[axis] - from[axis]).max(to[axis] - high[axis])).fold(0.0, f64::max);
         let (mut histogram, mut uneven) = ([0; CLASSES], 0);
         let (mut gouges, mut rests) = (Parts::new(gouge), Parts::new(rest));
         let none = |_: Origin| 0.0;
-        let (mut solid, mut hits, mut thick): (Vec<[f64; 2]>, Vec<Hit>, Vec<Filled>) = <_>::default();
+        let (mut solid, mut hits, mut thick): (Vec<[f64; 2]>, Vec<Hit>, Vec<FilledPart>) = <_>::default();
         for (family, pitch) in stock.pitch().into_iter().enumerate() {
             let mut crossings = self.mesh.lines_through(stock, family);
             let columns = stock.lines(family)[0];
@@ -314,7 +314,7 @@ impl Design {
                 thick.clear();
                 thick.extend(spans.iter().filter(|span| f64::from(span.high - span.low) > thin));
                 let spans = &thick[..];
-                let line_of = Line { design: self, family, across, pitch };
+                let line_of = StockLine { design: self, family, across, pitch };
                 for end in spans.iter().flat_map(|span| [span.low, span.high]) {
                     histogram[class(line_of.signed(f64::from(end), &solid))] += 1;
                 }
@@ -327,7 +327,13 @@ impl Design {
             });
         }
         let cell = stock.pitch().into_iter().fold(0.0, f64::max);
-        Comparison { gouge: gouges.finish(cell), rest: rests.finish(cell), histogram, exceeds_mm: exceeds, uneven }
+        DesignComparison {
+            gouge: gouges.finish(cell),
+            rest: rests.finish(cell),
+            histogram,
+            exceeds_mm: exceeds,
+            uneven,
+        }
     }
 }
 
@@ -344,7 +350,7 @@ impl Design {
                 number += 1;
                 solid.clear();
                 let even = crossings.parts(line, &mut solid);
-                let line_of = Line { design: self, family, across, pitch };
+                let line_of = StockLine { design: self, family, across, pitch };
                 let value = |end: f32| if even { line_of.signed(f64::from(end), &solid) as f32 } else { f32::NAN };
                 ends.add(family, spans.iter().flat_map(|span| [span.low, span.high]).map(value));
             });
@@ -359,14 +365,14 @@ impl Design {
 }
 
 /// A line of the stock.
-struct Line<'a> {
+struct StockLine<'a> {
     design: &'a Design,
     family: usize,
     across: [f64; 2],
     pitch: f64,
 }
 
-impl Line<'_> {
+impl StockLine<'_> {
     /// Distance from the surface of the design.
     fn distance(&self, at: f64, solid: &[[f64; 2]]) -> f64 {
         let along = solid.iter().flatten().map(|end| (end - at).abs()).fold(f64::INFINITY, f64::min);
@@ -381,7 +387,7 @@ impl Line<'_> {
     }
 
     /// Parts of the design without material.
-    fn missing(&self, spans: &[Filled], solid: &[[f64; 2]], hits: &mut Vec<Hit>) {
+    fn missing(&self, spans: &[FilledPart], solid: &[[f64; 2]], hits: &mut Vec<Hit>) {
         for [low, high] in solid {
             let mut begin = End { at: *low, origin: None };
             // What has cut the line below.
@@ -412,7 +418,7 @@ impl Line<'_> {
     }
 
     /// Parts of the material without design.
-    fn left(&self, spans: &[Filled], solid: &[[f64; 2]], hits: &mut Vec<Hit>) {
+    fn left(&self, spans: &[FilledPart], solid: &[[f64; 2]], hits: &mut Vec<Hit>) {
         for span in spans {
             let (from, to) = (f64::from(span.low), f64::from(span.high));
             let ends = [(from, Origin::of(span.low_id)), (to, Origin::of(span.high_id))];

@@ -8,5 +8,5 @@ mod nearest;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use comparison::{Comparison, Design, Deviations, Origin, Region, limits_of};
-pub(crate) use nearest::Surface;
+pub(crate) use comparison::{Design, DesignComparison, Deviations, Origin, Region, limits_of};
+pub(crate) use nearest::TriangleSurface;

@@ -2,14 +2,14 @@
 
 use nalgebra::Vector3;
 
-type Point = Vector3<f64>;
+type SurfacePoint = Vector3<f64>;
 
 /// Triangles of a leaf.
 const LEAF: usize = 4;
 
 /// A box of the tree.
 #[derive(Debug, Clone, Copy)]
-struct Node {
+struct TreeNode {
     low: [f64; 3],
     high: [f64; 3],
     /// First triangle of a leaf, or second child; the first child comes next.
@@ -18,34 +18,34 @@ struct Node {
     count: u32,
 }
 
-impl Node {
+impl TreeNode {
     /// Square of the distance of a point from the box, mm².
-    fn square(&self, point: &Point) -> f64 {
+    fn square(&self, point: &SurfacePoint) -> f64 {
         (0..3).map(|axis| (self.low[axis] - point[axis]).max(point[axis] - self.high[axis]).max(0.0).powi(2)).sum()
     }
 }
 
 /// A surface of triangles.
 #[derive(Debug, Clone)]
-pub(crate) struct Surface {
-    triangles: Vec<[Point; 3]>,
-    nodes: Vec<Node>,
+pub(crate) struct TriangleSurface {
+    triangles: Vec<[SurfacePoint; 3]>,
+    nodes: Vec<TreeNode>,
 }
 
-impl Surface {
+impl TriangleSurface {
     pub(crate) fn new(mut triangles: Vec<[[f64; 3]; 3]>) -> Self {
         let mut nodes = Vec::with_capacity(triangles.len());
         if !triangles.is_empty() {
             let count = triangles.len();
             build(&mut triangles, [0, count], &mut nodes);
         }
-        let triangles = triangles.into_iter().map(|triangle| triangle.map(Point::from)).collect();
+        let triangles = triangles.into_iter().map(|triangle| triangle.map(SurfacePoint::from)).collect();
         Self { triangles, nodes }
     }
 
     /// Distance of a point from the surface, mm. `within`: a distance that is known not to be exceeded, or infinity.
     pub(crate) fn distance(&self, point: [f64; 3], within: f64) -> f64 {
-        let point = Point::from(point);
+        let point = SurfacePoint::from(point);
         let mut best = within * within;
         let mut open: Vec<(u32, f64)> = Vec::with_capacity(64);
         if let Some(root) = self.nodes.first() {
@@ -72,7 +72,7 @@ impl Surface {
 }
 
 /// Adds the boxes of a range of triangles, which are sorted.
-fn build(triangles: &mut [[[f64; 3]; 3]], [from, to]: [usize; 2], nodes: &mut Vec<Node>) {
+fn build(triangles: &mut [[[f64; 3]; 3]], [from, to]: [usize; 2], nodes: &mut Vec<TreeNode>) {
     let part = &mut triangles[from..to];
     let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
     for corner in part.iter().flatten() {
@@ -82,7 +82,7 @@ fn build(triangles: &mut [[[f64; 3]; 3]], [from, to]: [usize; 2], nodes: &mut Ve
     }
     let here = nodes.len();
     let leaf = part.len() <= LEAF;
-    nodes.push(Node { low, high, first: from as u32, count: if leaf { part.len() as u32 } else { 0 } });
+    nodes.push(TreeNode { low, high, first: from as u32, count: if leaf { part.len() as u32 } else { 0 } });
     if leaf {
         return;
     }
@@ -97,7 +97,7 @@ fn build(triangles: &mut [[[f64; 3]; 3]], [from, to]: [usize; 2], nodes: &mut Ve
 }
 
 /// Square of the distance from a triangle, mm²; it may be as narrow as a line.
-fn square_from_triangle(point: &Point, [a, b, c]: &[Point; 3]) -> f64 {
+fn square_from_triangle(point: &SurfacePoint, [a, b, c]: &[SurfacePoint; 3]) -> f64 {
     let (ab, ac, ap) = (b - a, c - a, point - a);
     let normal = ab.cross(&ac);
     let area = normal.norm_squared();
@@ -112,7 +112,7 @@ fn square_from_triangle(point: &Point, [a, b, c]: &[Point; 3]) -> f64 {
     edges[0].min(edges[1]).min(edges[2])
 }
 
-fn square_from_edge(point: &Point, from: &Point, to: &Point) -> f64 {
+fn square_from_edge(point: &SurfacePoint, from: &SurfacePoint, to: &SurfacePoint) -> f64 {
     let (edge, way) = (to - from, point - from);
     let length = edge.norm_squared();
     let share = if length > 0.0 { (way.dot(&edge) / length).clamp(0.0, 1.0) } else { 0.0 };

@@ -2,14 +2,14 @@
 
 use nalgebra::Vector3;
 
-use super::comparison::{Comparison, Design, Origin, limits_of};
-use super::nearest::Surface;
+use super::comparison::{Design, DesignComparison, Origin, limits_of};
+use super::nearest::TriangleSurface;
 use crate::simulate::bodies::Mesh;
 use crate::simulate::removal::{Cutter, SweptPiece, TriDexel};
 use crate::simulate::testing::{Random, barrel, box_mesh, cut_by_two_threads, upright};
 
 /// A comparison without allowances.
-fn against(design: &Design, stock: &TriDexel, tolerances: (f64, f64)) -> Comparison {
+fn against(design: &Design, stock: &TriDexel, tolerances: (f64, f64)) -> DesignComparison {
     design.compare(stock, (tolerances.0, tolerances.1, 0.0), &|_| 0.0)
 }
 
@@ -35,7 +35,7 @@ fn stepped([lower, upper]: [[f64; 3]; 2], height: f64) -> Mesh {
 fn the_distance_from_a_surface_is_that_of_its_closest_triangle() {
     let (vertices, faces) = barrel(4, 12);
     let corners = |face: &[u32; 3]| face.map(|index| vertices[index as usize]);
-    let surface = Surface::new(faces.iter().map(corners).collect());
+    let surface = TriangleSurface::new(faces.iter().map(corners).collect());
     let mut random = Random(7);
     for _ in 0..40 {
         let point = [random.within(9.0), random.within(9.0), random.within(9.0)];

@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion, UnitVector3, Vector3};
 
 use super::body::{Body, Shapes};
 use super::clearance::{Clearances, STOCK, TOOL};
-use super::links::Links;
+use super::links::MachineLinks;
 use crate::kinematics::AnyMachine;
 use crate::set_up::{SetUp, SolidLink};
 use crate::simulate::bodies::{CHORD_MM, CentreLine, Mesh, OpenFile, SolidBody, SolidFault, chord_of, turned};
@@ -56,7 +56,7 @@ pub(crate) fn without_solids(machine: &dyn AnyMachine, set_up: &SetUp, solids: &
     if solids.is_empty() {
         return vec!["machine and fixtures".to_owned()];
     }
-    let links = Links::of(machine, set_up);
+    let links = MachineLinks::of(machine, set_up);
     let has = |link: SolidLink| {
         let same =
             |solid: &&MachineSolid| links.number(solid.link) == links.number(link) && solid.link != SolidLink::Fixture;
@@ -83,7 +83,7 @@ pub(crate) fn clearances(
     if solids.is_empty() {
         return None;
     }
-    let links = Links::of(machine, set_up);
+    let links = MachineLinks::of(machine, set_up);
     let mut bodies: Vec<(Body, Option<u32>)> = Vec::new();
     for solid in solids {
         let Some(link) = links.number(solid.link) else { continue };
@@ -145,7 +145,7 @@ fn stock_body(set_up: &SetUp, stock: &TriDexel) -> Option<Body> {
 }
 
 /// Cutting part, shank and holder of a tool at the spindle.
-fn tool_bodies(links: &Links, tools: &ToolBodies, number: u32, tool: &ToolBody, length_mm: f64) -> Vec<Body> {
+fn tool_bodies(links: &MachineLinks, tools: &ToolBodies, number: u32, tool: &ToolBody, length_mm: f64) -> Vec<Body> {
     let axis = UnitVector3::new_normalize(links.tool_axis);
     let rotation = UnitQuaternion::rotation_between_axis(&Vector3::z_axis(), &axis)
         .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));

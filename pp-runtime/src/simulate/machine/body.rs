@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Point3};
 use parry3d_f64::math::{Pose, Vector};
 use parry3d_f64::shape::{Compound, ConvexPolyhedron, Cuboid, SharedShape, TriMesh};
 
-use super::links::Links;
+use super::links::MachineLinks;
 use super::reach::Ball;
 use crate::simulate::bodies::{CentreLine, Mesh};
 
@@ -46,7 +46,7 @@ impl Body {
     /// Where both lines are up to `e` apart, a motion `T` that moves no point of the body by more than `e` takes its axis to
     /// the centre line. With `R` a rotation about the axis, which leaves the body as it is, the joint is `T R T⁻¹`: no point
     /// of it is more than `2 e` from the same of `R`.
-    pub(crate) fn rests(&self, links: &Links) -> ([usize; 2], f64) {
+    pub(crate) fn rests(&self, links: &MachineLinks) -> ([usize; 2], f64) {
         let Some(axis) = &self.axis else { return ([self.link; 2], 0.0) };
         let mut added_mm = 0.0;
         let mut is_coaxial = |joint: usize| {
@@ -66,11 +66,11 @@ impl Body {
 pub(crate) struct Shapes {
     pub(crate) hull: ConvexPolyhedron,
     /// Its surface; `None`: the body is its hull.
-    pub(crate) surface: Option<Surface>,
+    pub(crate) surface: Option<BodySurface>,
 }
 
 /// The surface of a body that is not convex.
-pub(crate) enum Surface {
+pub(crate) enum BodySurface {
     /// Triangles.
     Triangles {
         surface: Box<TriMesh>,
@@ -127,7 +127,7 @@ impl Shapes {
         let faces: Vec<[u32; 3]> = mesh.faces().iter().filter(|face| area(face) > LEAST_AREA).copied().collect();
         let surface = Box::new(TriMesh::new(mesh.vertices().iter().map(vector).collect(), faces).ok()?);
         let points = mesh.points_of_parts().into_iter().map(Point3::from).collect();
-        Some((Self { hull, surface: Some(Surface::Triangles { surface, points, mesh }) }, ball))
+        Some((Self { hull, surface: Some(BodySurface::Triangles { surface, points, mesh }) }, ball))
     }
 
     /// The shapes of convex pieces. `None`: there is none, or one has no volume.
@@ -141,7 +141,7 @@ impl Shapes {
         let hulls: Option<Vec<_>> = pieces.iter().map(|piece| hull_of(&piece.used_vertices())).collect();
         let hulls = hulls.filter(|hulls| !hulls.is_empty())?;
         let shapes = hulls.into_iter().map(|hull| (Pose::identity(), SharedShape::new(hull))).collect();
-        let surface = Some(Surface::Pieces(vec![Compound::new(shapes)]));
+        let surface = Some(BodySurface::Pieces(vec![Compound::new(shapes)]));
         Some((Self { hull: hull_of(&corners)?, surface }, ball(&corners)))
     }
 
@@ -163,7 +163,7 @@ impl Shapes {
         if sets.iter().any(Vec::is_empty) {
             return None;
         }
-        let surface = Some(Surface::Pieces(sets.into_iter().map(compound).collect()));
+        let surface = Some(BodySurface::Pieces(sets.into_iter().map(compound).collect()));
         Some((Self { hull, surface }, ball(&all)))
     }
 }

@@ -14,8 +14,8 @@ use std::collections::BTreeMap;
 use nalgebra::Point3;
 
 use super::body::{Body, Shapes};
-use super::gap::{Gap, gap};
-use super::links::Links;
+use super::gap::{BodyGap, gap};
+use super::links::MachineLinks;
 use super::reach::Levers;
 use crate::kinematics::{AxisRanges, AxisValues, MAX_AXES};
 
@@ -73,7 +73,7 @@ pub(crate) struct Meeting {
 
 /// Two bodies on different links.
 #[derive(Debug)]
-pub(crate) struct Pair {
+pub(crate) struct BodyPair {
     /// The one nearer to the table first.
     pub(crate) bodies: [usize; 2],
     /// Links in whose coordinates they are compared. They are at rest there (`Body::rests`), and only the axes between move them
@@ -95,9 +95,9 @@ pub(crate) type StockBoxes<'s> = &'s mut dyn FnMut() -> Option<Vec<Vec<[[f64; 3]
 
 /// All bodies and their distances.
 pub(crate) struct Clearances {
-    links: Links,
+    links: MachineLinks,
     bodies: Vec<Body>,
-    pairs: Vec<Pair>,
+    pairs: Vec<BodyPair>,
     /// Number of the stock among the bodies.
     stock: Option<usize>,
     clearance_mm: f64,
@@ -118,7 +118,7 @@ enum Verdict {
 }
 
 /// Axis values in a motion.
-pub(crate) trait MovingAxes {
+pub(crate) trait AxesInMotion {
     /// At a share; `near`: values before it.
     fn at(&self, share: f64, near: &AxisValues) -> AxisValues;
 
@@ -142,9 +142,9 @@ pub(crate) struct MovingBlock {
 }
 
 /// A motion with what does not change in it.
-struct Course<'m> {
+struct ConstantMotion<'m> {
     block: MovingBlock,
-    axes: &'m dyn MovingAxes,
+    axes: &'m dyn AxesInMotion,
     stock: StockBoxes<'m>,
     found: Vec<Meeting>,
 }
@@ -155,7 +155,7 @@ pub(crate) type Share = (f64, AxisValues);
 impl Clearances {
     /// `bodies` with the tool of those that are part of one; `stock`: number of the stock among them.
     pub(crate) fn new(
-        links: Links,
+        links: MachineLinks,
         bodies: Vec<(Body, Option<u32>)>,
         stock: Option<usize>,
         allow: &[[String; 2]],
@@ -182,7 +182,7 @@ impl Clearances {
                 let [first, second] = if a.link < b.link { [one, two] } else { [two, one] };
                 // Each as far towards the other one as it is at rest.
                 let from = rests[first][1].min(bodies[second].link);
-                pairs.push(Pair {
+                pairs.push(BodyPair {
                     bodies: [first, second],
                     links: [from, rests[second][0].max(from)],
                     tool: tools[one].or(tools[two]),
@@ -208,7 +208,7 @@ impl Clearances {
     }
 
     /// The pairs that are compared.
-    pub(crate) fn pairs(&self) -> &[Pair] {
+    pub(crate) fn pairs(&self) -> &[BodyPair] {
         &self.pairs
     }
 
@@ -243,7 +243,7 @@ impl Clearances {
     pub(crate) fn motion(
         &mut self,
         block: MovingBlock,
-        axes: &dyn MovingAxes,
+        axes: &dyn AxesInMotion,
         places: &[Share],
         stock: StockBoxes<'_>,
     ) -> Vec<Meeting> {
@@ -257,10 +257,11 @@ impl Clearances {
             let set_ups = &self.bodies[body].set_ups;
             set_ups.is_empty() || set_ups.contains(&set_up)
         };
-        let takes_part =
-            |pair: &Pair| pair.tool.is_none_or(|other| other == tool) && pair.bodies.iter().all(|body| there(*body));
+        let takes_part = |pair: &BodyPair| {
+            pair.tool.is_none_or(|other| other == tool) && pair.bodies.iter().all(|body| there(*body))
+        };
         let open: Vec<usize> = (0..self.pairs.len()).filter(|index| takes_part(&self.pairs[*index])).collect();
-        let mut course = Course { block, axes, stock, found: Vec::new() };
+        let mut course = ConstantMotion { block, axes, stock, found: Vec::new() };
         if let ([(_, from), .., (_, to)], true) = (places, block.apart) {
             let ranges = self.moved(&course, &AxisRanges::between(from, to));
             open.into_iter().for_each(|pair| self.boxed(&mut course, pair, &ranges));
@@ -273,16 +274,16 @@ impl Clearances {
     }
 
     /// Axis values of the links.
-    fn values(&self, course: &Course<'_>, axes: &AxisValues) -> AxisValues {
+    fn values(&self, course: &ConstantMotion<'_>, axes: &AxisValues) -> AxisValues {
         self.links.values(axes, &course.block.offsets_mm)
     }
 
-    fn moved(&self, course: &Course<'_>, ranges: &AxisRanges) -> AxisRanges {
+    fn moved(&self, course: &ConstantMotion<'_>, ranges: &AxisRanges) -> AxisRanges {
         AxisRanges { low: self.values(course, &ranges.low), high: self.values(course, &ranges.high) }
     }
 
     /// Distance down to which a pair must be certified: the clearance, or that below which a smaller distance is searched for.
-    fn wanted(&self, course: &Course<'_>, pair: usize) -> f64 {
+    fn wanted(&self, course: &ConstantMotion<'_>, pair: usize) -> f64 {
         let notable = self.pairs[pair]
             .smallest
             .map_or(SHOWN_MM, |smallest| (smallest.distance_mm * (1.0 - FOUND_TO) - FOUND_TO_MM).min(SHOWN_MM));
@@ -290,8 +291,8 @@ impl Clearances {
     }
 
     /// Whether the known distance of a pair is enough for a part of a motion.
-    fn is_clear(&self, course: &Course<'_>, pair: usize, ranges: &AxisRanges) -> bool {
-        let Pair { known, fresh, .. } = &self.pairs[pair];
+    fn is_clear(&self, course: &ConstantMotion<'_>, pair: usize, ranges: &AxisRanges) -> bool {
+        let BodyPair { known, fresh, .. } = &self.pairs[pair];
         let wanted = self.wanted(course, pair);
         known
             .as_ref()
@@ -299,7 +300,7 @@ impl Clearances {
     }
 
     /// A part of a motion between two shares.
-    fn part(&mut self, course: &mut Course<'_>, from: Share, to: Share, mut open: Vec<usize>, halvings: u32) {
+    fn part(&mut self, course: &mut ConstantMotion<'_>, from: Share, to: Share, mut open: Vec<usize>, halvings: u32) {
         let ranges = course.axes.ranges([from.0, to.0], [&from.1, &to.1]);
         let ranges = ranges.map(|ranges| self.moved(course, &ranges));
         open.retain(|pair| {
@@ -330,7 +331,7 @@ impl Clearances {
     }
 
     /// A pair while the axes are anywhere in a box.
-    fn boxed(&mut self, course: &mut Course<'_>, pair: usize, ranges: &AxisRanges) {
+    fn boxed(&mut self, course: &mut ConstantMotion<'_>, pair: usize, ranges: &AxisRanges) {
         let (mut cells, mut count) = (vec![*ranges], 0);
         while let Some(cell) = cells.pop() {
             if course.meets(pair) {
@@ -376,14 +377,14 @@ impl Clearances {
     /// divided, mm.
     fn measure(
         &mut self,
-        course: &mut Course<'_>,
+        course: &mut ConstantMotion<'_>,
         pair: usize,
         (axes, values): (&AxisValues, &AxisValues),
         ranges: &AxisRanges,
         resolution: f64,
     ) -> Verdict {
         let (gap, levers) = self.gap_at(course, pair, values, ranges);
-        let nearer = |gap: &Gap| matches!(gap, Gap::Apart { least_mm, .. } if *least_mm > self.clearance_mm);
+        let nearer = |gap: &BodyGap| matches!(gap, BodyGap::Apart { least_mm, .. } if *least_mm > self.clearance_mm);
         let (gap, levers) = match self.pairs[pair].stock && !nearer(&gap) && self.renew_stock(course) {
             // What has been cut away cannot be met.
             true => self.gap_at(course, pair, values, ranges),
@@ -392,11 +393,11 @@ impl Clearances {
         let [one, _] = self.pairs[pair].links;
         let on_table = |point: Point3<f64>| self.links.between(0, one, values) * point;
         let (least, nearest) = match gap {
-            Gap::Meets(place) => {
+            BodyGap::Meets(place) => {
                 course.add(pair, None, on_table(place), axes);
                 return Verdict::Done;
             }
-            Gap::Apart { least_mm, nearest } => (least_mm, nearest),
+            BodyGap::Apart { least_mm, nearest } => (least_mm, nearest),
         };
         let nearest = nearest.map(|(distance, place)| (distance, on_table(place)));
         let motion = levers.motion(&ranges.from(values));
@@ -424,7 +425,7 @@ impl Clearances {
     }
 
     /// Makes the body of the stock anew if more has been cut.
-    fn renew_stock(&mut self, course: &mut Course<'_>) -> bool {
+    fn renew_stock(&mut self, course: &mut ConstantMotion<'_>) -> bool {
         let (Some(stock), Some(boxes)) = (self.stock, (course.stock)()) else { return false };
         self.set_stock(stock, boxes);
         true
@@ -442,7 +443,13 @@ impl Clearances {
     }
 
     /// Distance of a pair at a position, for a part of a motion.
-    fn gap_at(&self, course: &Course<'_>, pair: usize, values: &AxisValues, ranges: &AxisRanges) -> (Gap, Levers) {
+    fn gap_at(
+        &self,
+        course: &ConstantMotion<'_>,
+        pair: usize,
+        values: &AxisValues,
+        ranges: &AxisRanges,
+    ) -> (BodyGap, Levers) {
         let [one, two] = self.pairs[pair].bodies.map(|body| &self.bodies[body]);
         let [from, to] = self.pairs[pair].links;
         let levers = Levers::of(&self.links, [from, to], [&one.ball, &two.ball], values);
@@ -452,7 +459,7 @@ impl Clearances {
     }
 }
 
-impl Course<'_> {
+impl ConstantMotion<'_> {
     /// What has been found of a pair in this motion.
     fn found(&self, pair: usize) -> Option<&Meeting> {
         self.found.iter().find(|meeting| meeting.pair == pair)

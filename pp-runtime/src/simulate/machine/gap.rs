@@ -7,7 +7,7 @@ use parry3d_f64::math::Pose;
 use parry3d_f64::query::{ClosestPoints, DefaultQueryDispatcher, QueryDispatcher};
 use parry3d_f64::shape::Shape;
 
-use super::body::{Body, Surface, point, pose, vector};
+use super::body::{Body, BodySurface, point, pose, vector};
 
 /// Error of a distance, mm, and as a part of the sizes of the bodies.
 const ERROR_MM: f64 = 1e-6;
@@ -15,7 +15,7 @@ const ERROR: f64 = 1e-9;
 
 /// Distance of two bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Gap {
+pub(crate) enum BodyGap {
     /// They meet about at a place, in the coordinates in which the first one is compared.
     Meets(Point3<f64>),
     /// They are apart.
@@ -37,20 +37,20 @@ fn closest(place: &Pose, one: &dyn Shape, two: &dyn Shape, within: f64) -> Close
 fn shapes(body: &Body) -> Vec<&dyn Shape> {
     match &body.shapes.surface {
         None => vec![&body.shapes.hull],
-        Some(Surface::Triangles { surface, .. }) => vec![&**surface],
-        Some(Surface::Pieces(sets)) => sets.iter().map(|set| set as &dyn Shape).collect(),
+        Some(BodySurface::Triangles { surface, .. }) => vec![&**surface],
+        Some(BodySurface::Pieces(sets)) => sets.iter().map(|set| set as &dyn Shape).collect(),
     }
 }
 
 /// Distance of two bodies. `place`: of the coordinates of the second in those of the first; `enough_mm`: a
 /// distance beyond which it need not be known. `fresh`: one may be inside the other, which only a jump can bring about.
-pub(crate) fn gap(one: &Body, two: &Body, place: &Isometry3<f64>, enough_mm: f64, fresh: bool) -> Gap {
+pub(crate) fn gap(one: &Body, two: &Body, place: &Isometry3<f64>, enough_mm: f64, fresh: bool) -> BodyGap {
     let centres = (place * two.ball.centre - one.ball.centre).norm();
     let error = ERROR_MM + ERROR * (centres + one.ball.radius + two.ball.radius);
     let off = error + one.tolerance_mm + two.tolerance_mm;
     let balls = centres - one.ball.radius - two.ball.radius - off;
     if balls >= enough_mm {
-        return Gap::Apart { least_mm: balls, nearest: None };
+        return BodyGap::Apart { least_mm: balls, nearest: None };
     }
     let place = &pose(place);
     let middle = |first, second| nalgebra::center(&point(first), &point(place.transform_point(second)));
@@ -63,53 +63,50 @@ pub(crate) fn gap(one: &Body, two: &Body, place: &Isometry3<f64>, enough_mm: f64
             least = least.max(distance - off);
             if whole || distance - off >= enough_mm {
                 let nearest = whole.then(|| (distance, middle(first, second)));
-                return Gap::Apart { least_mm: least, nearest };
+                return BodyGap::Apart { least_mm: least, nearest };
             }
         }
         ClosestPoints::Intersecting if one.shapes.surface.is_none() && two.shapes.surface.is_none() => {
-            return Gap::Meets(meeting(place, &one.shapes.hull, &two.shapes.hull));
+            return BodyGap::Meets(meeting(place, &one.shapes.hull, &two.shapes.hull));
         }
         // Not found without a limit: the search did not end.
         ClosestPoints::Disjoint if one.shapes.surface.is_none() && two.shapes.surface.is_none() => {
-            return Gap::Apart { least_mm: least, nearest: None };
+            return BodyGap::Apart { least_mm: least, nearest: None };
         }
         ClosestPoints::Intersecting | ClosestPoints::Disjoint => {}
     }
     if fresh && is_inside(one, two, place) {
-        return Gap::Meets(point(place.transform_point(vector(&two.ball.centre.into()))));
+        return BodyGap::Meets(point(place.transform_point(vector(&two.ball.centre.into()))));
     }
     surfaces(one, two, place, (enough_mm, least, off))
 }
 
 /// The farthest of the pairs of shapes.
-fn surfaces(one: &Body, two: &Body, place: &Pose, (enough_mm, least, off): (f64, f64, f64)) -> Gap {
-    let mut farthest: Option<Gap> = None;
+fn surfaces(one: &Body, two: &Body, place: &Pose, (enough_mm, least, off): (f64, f64, f64)) -> BodyGap {
+    let mut farthest: Option<BodyGap> = None;
     for first in shapes(one) {
         for second in shapes(two) {
             let found = match closest(place, first, second, enough_mm + off) {
-                ClosestPoints::Intersecting => Gap::Meets(meeting(place, first, second)),
-                ClosestPoints::Disjoint => return Gap::Apart { least_mm: least.max(enough_mm), nearest: None },
+                ClosestPoints::Intersecting => BodyGap::Meets(meeting(place, first, second)),
+                ClosestPoints::Disjoint => return BodyGap::Apart { least_mm: least.max(enough_mm), nearest: None },
                 ClosestPoints::WithinMargin(a, b) => {
                     let b = place.transform_point(b);
                     let distance = (b - a).length();
                     let nearest = Some((distance, nalgebra::center(&point(a), &point(b))));
-                    Gap::Apart { least_mm: least.max(distance - off), nearest }
+                    BodyGap::Apart { least_mm: least.max(distance - off), nearest }
                 }
             };
-            farthest = Some(match (farthest, found) {
-                (None | Some(Gap::Meets(_)), found) => found,
-                (Some(apart), Gap::Meets(_)) => apart,
-                (Some(one @ Gap::Apart { least_mm: a, .. }), two @ Gap::Apart { least_mm: b, .. }) => {
-                    if b > a {
-                        two
-                    } else {
-                        one
+            farthest =
+                Some(match (farthest, found) {
+                    (None | Some(BodyGap::Meets(_)), found) => found,
+                    (Some(apart), BodyGap::Meets(_)) => apart,
+                    (Some(one @ BodyGap::Apart { least_mm: a, .. }), two @ BodyGap::Apart { least_mm: b, .. }) => {
+                        if b > a { two } else { one }
                     }
-                }
-            });
+                });
         }
     }
-    farthest.unwrap_or(Gap::Apart { least_mm: least, nearest: None })
+    farthest.unwrap_or(BodyGap::Apart { least_mm: least, nearest: None })
 }
 
 /// A place where two shapes meet.
@@ -122,12 +119,12 @@ fn meeting(place: &Pose, one: &dyn Shape, two: &dyn Shape) -> Point3<f64> {
 /// Whether a part of one body is inside the other one. Their surfaces do not meet.
 fn is_inside(one: &Body, two: &Body, place: &Pose) -> bool {
     let inside = |body: &Body, at: Point3<f64>| match &body.shapes.surface {
-        None | Some(Surface::Pieces(_)) => false,
-        Some(Surface::Triangles { mesh, .. }) => mesh.has_inside(at.into()),
+        None | Some(BodySurface::Pieces(_)) => false,
+        Some(BodySurface::Triangles { mesh, .. }) => mesh.has_inside(at.into()),
     };
     let points = |body: &Body| match &body.shapes.surface {
-        Some(Surface::Triangles { points, .. }) => points.clone(),
-        None | Some(Surface::Pieces(_)) => vec![point(body.shapes.hull.points()[0])],
+        Some(BodySurface::Triangles { points, .. }) => points.clone(),
+        None | Some(BodySurface::Pieces(_)) => vec![point(body.shapes.hull.points()[0])],
     };
     let into_one = |at: Point3<f64>| point(place.transform_point(vector(&at.into())));
     let into_two = |at: Point3<f64>| point(place.inverse_transform_point(vector(&at.into())));

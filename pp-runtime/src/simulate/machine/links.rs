@@ -11,7 +11,7 @@ use crate::set_up::{SetUp, SolidLink};
 use crate::simulate::bodies::CentreLine;
 
 /// The links of a machine.
-pub(crate) struct Links {
+pub(crate) struct MachineLinks {
     joints: Vec<(char, AxisKind, Joint)>,
     /// Number of the frame.
     frame: usize,
@@ -21,7 +21,7 @@ pub(crate) struct Links {
     pub(crate) tool_axis: Vector3<f64>,
 }
 
-impl Links {
+impl MachineLinks {
     /// The links of a machine with the dimensions of a set-up.
     pub(crate) fn of(machine: &dyn AnyMachine, set_up: &SetUp) -> Self {
         let mut bare = machine.to_boxed();

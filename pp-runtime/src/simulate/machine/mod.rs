@@ -14,5 +14,5 @@ mod reach;
 mod tests;
 
 pub(crate) use assembly::{MachineSolid, clearances, stock_boxes, without_solids};
-pub(crate) use clearance::{Clearances, Meeting, MovingAxes, MovingBlock, Occasion, SHOWN_MM, Share};
-pub(crate) use links::Links;
+pub(crate) use clearance::{AxesInMotion, Clearances, Meeting, MovingBlock, Occasion, SHOWN_MM, Share};
+pub(crate) use links::MachineLinks;

@@ -8,7 +8,7 @@
 
 use nalgebra::Point3;
 
-use super::links::Links;
+use super::links::MachineLinks;
 use crate::kinematics::{AxisValues, MAX_AXES};
 
 /// A sphere around a body, in the coordinates of its link.
@@ -30,7 +30,7 @@ pub(crate) struct Levers {
 
 impl Levers {
     /// Of bodies on two links, the first one nearer to the table.
-    pub(crate) fn of(links: &Links, [from, to]: [usize; 2], balls: [&Ball; 2], values: &AxisValues) -> Self {
+    pub(crate) fn of(links: &MachineLinks, [from, to]: [usize; 2], balls: [&Ball; 2], values: &AxisValues) -> Self {
         let mut levers = [None; MAX_AXES];
         for (joint, lever) in levers.iter_mut().enumerate().take(to).skip(from) {
             let Some(line) = links.centre_line(joint) else { continue };

@@ -3,8 +3,8 @@
 use nalgebra::{Isometry3, Point3, UnitQuaternion, UnitVector3, Vector3};
 
 use super::body::{Body, Shapes};
-use super::clearance::{Clearances, Meeting, MovingAxes, MovingBlock, Share};
-use super::links::Links;
+use super::clearance::{AxesInMotion, Clearances, Meeting, MovingBlock, Share};
+use super::links::MachineLinks;
 use super::reach::{Ball, Levers};
 use crate::kinematics::{AnyMachine, AxisKind, AxisRanges, AxisValues, Branch, Pose};
 use crate::set_up::{SetUp, SolidLink};
@@ -169,7 +169,7 @@ impl TestSolid {
 
 /// Bodies of a machine: one for each link, about where they can meet. Some of those on rotary axes are turned about their
 /// centre lines.
-fn solids(random: &mut Random, machine: &dyn AnyMachine, links: &Links) -> Vec<TestSolid> {
+fn solids(random: &mut Random, machine: &dyn AnyMachine, links: &MachineLinks) -> Vec<TestSolid> {
     let mut all = Vec::new();
     for (joint, axis) in machine.axes().iter().enumerate() {
         let link = links.number(SolidLink::Axis(axis.letter)).expect("a link");
@@ -221,7 +221,7 @@ impl TestMotion<'_> {
     }
 }
 
-impl MovingAxes for TestMotion<'_> {
+impl AxesInMotion for TestMotion<'_> {
     fn at(&self, share: f64, near: &AxisValues) -> AxisValues {
         let [from, to] = &self.ends;
         let mixed = mix(from, to, share);
@@ -307,12 +307,12 @@ fn sampled(motion: &TestMotion<'_>, distance: &dyn Fn(&AxisValues) -> f64) -> f6
 }
 
 struct Bodies {
-    links: Links,
+    links: MachineLinks,
     meshes: Vec<(usize, Vec<Triangle>)>,
 }
 
 impl Bodies {
-    fn of(links: Links, solids: &[TestSolid]) -> Self {
+    fn of(links: MachineLinks, solids: &[TestSolid]) -> Self {
         Self { links, meshes: solids.iter().map(|solid| (solid.link, triangles(&solid.mesh))).collect() }
     }
 
@@ -364,7 +364,7 @@ fn body(solid: &TestSolid) -> Body {
 
 fn clearances(machine: &dyn AnyMachine, solids: &[TestSolid], clearance_mm: f64) -> Clearances {
     let bodies = solids.iter().map(|solid| (body(solid), None));
-    Clearances::new(Links::of(machine, &SetUp::default()), bodies.collect(), None, &[], clearance_mm)
+    Clearances::new(MachineLinks::of(machine, &SetUp::default()), bodies.collect(), None, &[], clearance_mm)
 }
 
 #[test]
@@ -374,7 +374,7 @@ fn no_collision_of_a_random_motion_is_missed_and_none_is_invented() {
         let machine = &**machine;
         let mut random = Random(11 + number as u64);
         for round in 0..rounds() {
-            let links = Links::of(machine, &SetUp::default());
+            let links = MachineLinks::of(machine, &SetUp::default());
             let solids = solids(&mut random, machine, &links);
             let bodies = Bodies::of(links, &solids);
             let clearance_mm = if round % 2 == 0 { 0.0 } else { 2.0 };
@@ -443,7 +443,7 @@ fn the_box_of_a_motion_whose_axes_arrive_in_any_order_is_compared_as_a_whole() {
         let machine = &**machine;
         let mut random = Random(71 + number as u64);
         for round in 0..rounds() {
-            let links = Links::of(machine, &SetUp::default());
+            let links = MachineLinks::of(machine, &SetUp::default());
             let solids = solids(&mut random, machine, &links);
             let bodies = Bodies::of(links, &solids);
             let mut clearances = clearances(machine, &solids, 0.0);
@@ -477,7 +477,7 @@ fn bodies_move_against_each_other_by_no_more_than_their_reach() {
     let mut tightest: f64 = 0.0;
     for (number, machine) in machines().iter().enumerate() {
         let machine = &**machine;
-        let links = Links::of(machine, &SetUp::default());
+        let links = MachineLinks::of(machine, &SetUp::default());
         let mut random = Random(31 + number as u64);
         for _ in 0..300 {
             let ends = [0, 1].map(|_| (random.unit() * (links.spindle() as f64 + 1.0)) as usize);
@@ -506,7 +506,7 @@ fn bodies_move_against_each_other_by_no_more_than_their_reach() {
 #[test]
 fn a_body_of_revolution_is_at_rest_beyond_its_own_rotary_axis() {
     let [spinner, ..] = machines();
-    let links = Links::of(&*spinner, &SetUp::default());
+    let links = MachineLinks::of(&*spinner, &SetUp::default());
     // C B | X Y Z: the table, the cradle, the bed.
     let [table, cradle, bed] =
         [SolidLink::Axis('C'), SolidLink::Axis('B'), SolidLink::Frame].map(|link| links.number(link));
@@ -544,7 +544,7 @@ fn a_body_inside_another_one_collides() {
     };
     let [spinner, ..] = machines();
     let machine: &dyn AnyMachine = &*spinner;
-    let links = Links::of(machine, &SetUp::default());
+    let links = MachineLinks::of(machine, &SetUp::default());
     let (table, spindle) = (links.number(SolidLink::Table), links.number(SolidLink::Spindle));
     let at = |x: f64| -> AxisValues { std::array::from_fn(|index| if index == 2 { x } else { 0.0 }) };
     let mut random = Random(5);

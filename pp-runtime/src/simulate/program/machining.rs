@@ -5,15 +5,15 @@
 //! straight path is removed, so that one contact is one finding. At rapid, with the spindle off, and for shank and holder the
 //! tool is taken smaller by [`TOUCH_MM`]: it may slide along what it has cut.
 
-use super::outcome::{Contacting, Found, Outcome, Size, What};
+use super::outcome::{Contacting, FoundContact, SimulationOutcome, Size, What};
 use super::recording::Recording;
 use super::set_ups::{PartPlaces, moved};
 use super::tools::{ToolBodies, ToolBody};
-use crate::check::read::Side;
+use crate::check::read::SideOfPath;
 use crate::check::{CheckPolicy, ExecutedBlock, angle_between};
 use crate::kinematics::{AxisKind, Pose, StepBound};
 use crate::simulate::removal::{LARGEST_TURN, SweptPiece, TriDexel};
-use crate::view::{ExecutedMotion, Place};
+use crate::view::{ExecutedMotion, ExecutedPlace};
 
 /// Tolerance of the removal, mm.
 pub(crate) const EPS_MM: f64 = 1e-3;
@@ -63,12 +63,12 @@ pub(crate) struct Machining<'a> {
     /// Set-up in which the stock lies.
     set_up: u32,
     recording: Option<Recording>,
-    pub(super) outcome: Outcome,
+    pub(super) outcome: SimulationOutcome,
 }
 
 /// What a program has left.
 pub(crate) struct Machined {
-    pub(crate) outcome: Outcome,
+    pub(crate) outcome: SimulationOutcome,
     pub(crate) stock: TriDexel,
     /// Set-up in which it lies.
     pub(crate) set_up: u32,
@@ -82,7 +82,7 @@ impl<'a> Machining<'a> {
         (stock, places): (TriDexel, PartPlaces),
         threads: usize,
     ) -> Self {
-        let outcome = Outcome::new(&tools);
+        let outcome = SimulationOutcome::new(&tools);
         Self {
             policy,
             tools,
@@ -156,7 +156,7 @@ impl<'a> Machining<'a> {
                 let of = (owner.operation, owner.tool);
                 self.outcome.engagement.add(of, owner.line, owner.minutes, contact.volume());
             } else if contact.longest > 0.0 {
-                self.outcome.add(Found {
+                self.outcome.add(FoundContact {
                     what: What::Stock(owner.what),
                     lines: [owner.line; 2],
                     cl_line: owner.cl_line,
@@ -192,11 +192,11 @@ impl<'a> Machining<'a> {
     }
 
     /// Sweeps the stock with the tool of a motion. `places`: positions between which nothing rotates far.
-    pub(super) fn motion(&mut self, motion: &ExecutedMotion<'_>, places: &[(f64, Place)]) {
+    pub(super) fn motion(&mut self, motion: &ExecutedMotion<'_>, places: &[(f64, ExecutedPlace)]) {
         let executed = motion.executed;
         self.outcome.motions += 1;
         let body = self.tools.bodies.get(&motion.tool()).filter(|body| !body.is_empty()).cloned();
-        let compensated = executed.block.state.side.is_some_and(|side| side != Side::None);
+        let compensated = executed.block.state.side.is_some_and(|side| side != SideOfPath::None);
         let unknown = match &body {
             _ if executed.set_up() != self.set_up => Some("in set-ups in which the place of the part is unknown"),
             None if motion.rapid => Some("at rapid without a tool of known shape"),
@@ -264,7 +264,7 @@ impl<'a> Machining<'a> {
     }
 
     /// The box of a rapid in which each axis moves on its own.
-    fn boxed(&mut self, motion: &ExecutedMotion<'_>, body: &ToolBody, reach: f64, end: &Place) {
+    fn boxed(&mut self, motion: &ExecutedMotion<'_>, body: &ToolBody, reach: f64, end: &ExecutedPlace) {
         let (machine, start) = (motion.machine(), &motion.start);
         let mut ways = Vec::new();
         for (index, axis) in machine.axes().iter().enumerate() {
@@ -308,33 +308,33 @@ impl<'a> Machining<'a> {
 }
 
 /// The course of a motion with its certified bounds.
-pub(super) trait Course {
+pub(super) trait CertifiedCourse {
     /// Position at a share; `near`: a position before it.
-    fn at(&self, share: f64, near: &Place) -> Place;
+    fn at(&self, share: f64, near: &ExecutedPlace) -> ExecutedPlace;
 
     /// Deviation between two shares from the motion in step with it.
-    fn step_bound(&self, shares: [f64; 2], places: [&Place; 2]) -> StepBound;
+    fn step_bound(&self, shares: [f64; 2], places: [&ExecutedPlace; 2]) -> StepBound;
 }
 
-impl Course for ExecutedMotion<'_> {
-    fn at(&self, share: f64, near: &Place) -> Place {
+impl CertifiedCourse for ExecutedMotion<'_> {
+    fn at(&self, share: f64, near: &ExecutedPlace) -> ExecutedPlace {
         Self::at(self, share, near)
     }
 
-    fn step_bound(&self, shares: [f64; 2], places: [&Place; 2]) -> StepBound {
+    fn step_bound(&self, shares: [f64; 2], places: [&ExecutedPlace; 2]) -> StepBound {
         Self::step_bound(self, shares, places)
     }
 }
 
 /// Share and place at both ends of a part.
-pub(super) type Ends<'p> = [&'p (f64, Place); 2];
+pub(super) type Ends<'p> = [&'p (f64, ExecutedPlace); 2];
 
 /// Divides a motion between two shares until its parts are straight and even within [`PATH_MM`] for points within `reach` of
 /// the tip; `part` takes each of them with its deviation, mm.
 pub(super) fn divide(
-    course: &dyn Course,
+    course: &dyn CertifiedCourse,
     reach: f64,
-    [from, to]: [(f64, Place); 2],
+    [from, to]: [(f64, ExecutedPlace); 2],
     halvings: u32,
     part: &mut dyn FnMut(Ends<'_>, f64),
 ) {
@@ -357,10 +357,10 @@ fn owner(motion: &ExecutedMotion<'_>, what: Contacting) -> Owner {
 }
 
 /// Length of the tip path, mm.
-fn length_mm(motion: &ExecutedMotion<'_>, places: &[(f64, Place)]) -> f64 {
+fn length_mm(motion: &ExecutedMotion<'_>, places: &[(f64, ExecutedPlace)]) -> f64 {
     // The chords of an arc are shorter.
     let parts = if motion.rotated > 0.02 { 8 } else { 1 };
-    let of = |ends: &[(f64, Place)]| {
+    let of = |ends: &[(f64, ExecutedPlace)]| {
         let at = |part: u32| match part {
             0 => ends[0].1.pose.tip,
             part if part == parts => ends[1].1.pose.tip,
@@ -375,7 +375,7 @@ fn length_mm(motion: &ExecutedMotion<'_>, places: &[(f64, Place)]) -> f64 {
 }
 
 /// Positions of a motion at shares of it, between which nothing rotates far.
-pub(super) fn places(motion: &ExecutedMotion<'_>) -> Vec<(f64, Place)> {
+pub(super) fn places(motion: &ExecutedMotion<'_>) -> Vec<(f64, ExecutedPlace)> {
     let pieces = (motion.rotated / LARGEST_STEP_RAD).ceil().max(1.0) as u32;
     let mut places = vec![(0.0, motion.start)];
     for piece in 1..=pieces {

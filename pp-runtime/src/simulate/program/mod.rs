@@ -19,10 +19,10 @@ mod tool_table;
 mod tools;
 
 pub(crate) use machining::{EPS_MM, Machined, Machining};
-pub(crate) use outcome::{Outcome, Size, What};
-pub(crate) use recording::{Recording, RemovedPart, Stage};
+pub(crate) use outcome::{SimulationOutcome, Size, What};
+pub(crate) use recording::{ClampedStage, Recording, RemovedPart};
 pub(crate) use records::LineRecords;
 pub(crate) use set_ups::PartPlaces;
 pub(crate) use simulation::Simulation;
-pub(crate) use tool_table::ToolTable;
+pub(crate) use tool_table::MachineToolTable;
 pub(crate) use tools::{ToolBodies, ToolBody};

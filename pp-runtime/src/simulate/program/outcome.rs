@@ -84,7 +84,7 @@ pub(crate) enum Size {
 
 /// A finding: blocks that follow each other with the same contact.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Found {
+pub(crate) struct FoundContact {
     pub(crate) what: What,
     /// First and last line of the program.
     pub(crate) lines: [u64; 2],
@@ -98,7 +98,7 @@ pub(crate) struct Found {
     pub(crate) axes: Vec<(char, f64)>,
 }
 
-impl Found {
+impl FoundContact {
     /// A sentence.
     pub(crate) fn text(&self) -> String {
         let [first, last] = self.lines;
@@ -148,9 +148,9 @@ pub(crate) struct SmallestClearance {
 
 /// Result of a simulation.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Outcome {
+pub(crate) struct SimulationOutcome {
     pub(crate) motions: u64,
-    pub(crate) found: Vec<Found>,
+    pub(crate) found: Vec<FoundContact>,
     /// Number of findings.
     pub(crate) count: u64,
     pub(crate) engagement: Engagement,
@@ -180,7 +180,7 @@ pub(crate) struct Outcome {
     not_checked: Vec<String>,
 }
 
-impl Outcome {
+impl SimulationOutcome {
     pub(crate) fn new(tools: &ToolBodies) -> Self {
         let of = |has: &dyn Fn(&ToolBody) -> bool, part: &str| {
             let numbers: Vec<String> =
@@ -242,7 +242,7 @@ impl Outcome {
     }
 
     /// Adds a contact: to the finding that it continues, or as a new one.
-    pub(crate) fn add(&mut self, found: Found) {
+    pub(crate) fn add(&mut self, found: FoundContact) {
         let continued = self.found.iter_mut().rev().take(8).find(|last| {
             last.what == found.what
                 && (last.tool, last.operation) == (found.tool, found.operation)

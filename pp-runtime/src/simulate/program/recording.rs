@@ -23,7 +23,7 @@ pub(crate) struct RemovedPart {
 
 /// The removal while the part is clamped in one set-up.
 #[derive(Debug, Clone)]
-pub(crate) struct Stage {
+pub(crate) struct ClampedStage {
     pub(crate) set_up: u32,
     pub(crate) corners: [[f64; 3]; 2],
     /// Number of lines along each axis.
@@ -38,7 +38,7 @@ pub(crate) struct Stage {
 #[derive(Debug, Clone)]
 pub(crate) struct Recording {
     stock: TriDexel,
-    stages: Vec<Stage>,
+    stages: Vec<ClampedStage>,
     parts: usize,
 }
 
@@ -47,7 +47,7 @@ fn first_line(counts: [usize; 3], family: usize) -> usize {
     (0..family).map(|before| counts[(before + 1) % 3] * counts[(before + 2) % 3]).sum()
 }
 
-impl Stage {
+impl ClampedStage {
     fn of(set_up: u32, stock: &TriDexel) -> Self {
         let counts = stock.counts();
         let mut material = Vec::new();
@@ -67,7 +67,7 @@ impl Recording {
         let longest = stock.counts().into_iter().fold(1, usize::max);
         let step = longest.div_ceil(MOST_LINES);
         let stock = stock.thinned(step + usize::from(step.is_multiple_of(2)));
-        Self { stages: vec![Stage::of(set_up, &stock)], stock, parts: 0 }
+        Self { stages: vec![ClampedStage::of(set_up, &stock)], stock, parts: 0 }
     }
 
     /// Cuts by the pieces that remove material.
@@ -90,13 +90,13 @@ impl Recording {
     /// Moves the stock to another set-up.
     pub(super) fn clamp(&mut self, set_up: u32, moved: impl FnOnce(&TriDexel) -> Option<TriDexel>) {
         if let Some(stock) = moved(&self.stock) {
-            self.stages.push(Stage::of(set_up, &stock));
+            self.stages.push(ClampedStage::of(set_up, &stock));
             self.stock = stock;
         }
     }
 
     /// The removal by set-ups in their order; `None`: it has too many parts to be kept.
-    pub(crate) fn stages(self) -> Option<Vec<Stage>> {
+    pub(crate) fn stages(self) -> Option<Vec<ClampedStage>> {
         (self.parts <= MOST_PARTS).then_some(self.stages)
     }
 }

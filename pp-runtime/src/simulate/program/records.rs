@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::machining::places;
 use crate::check::ExecutedBlock;
-use crate::view::{ExecutedMotion, Motions, Place};
+use crate::view::{ExecutedMotion, ExecutedPlace, Motions};
 
 /// Record of a line of the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,7 +35,7 @@ impl LineRecords {
 }
 
 impl Motions for LineRecords {
-    fn motion(&mut self, motion: &ExecutedMotion<'_>) -> Place {
+    fn motion(&mut self, motion: &ExecutedMotion<'_>) -> ExecutedPlace {
         let ExecutedBlock { block, record, operation, .. } = motion.executed;
         if let Some(found @ None) = self.records.get_mut(&block.line) {
             *found = Some(LineRecord { cl_line: record.line, operation: *operation, tool: motion.tool() });

@@ -1,11 +1,11 @@
 //! A program on its machine: each executed motion moves the bodies, and cuts the stock.
 
 use super::machining::{Machined, Machining, places};
-use super::outcome::{Found, Outcome, Size, SmallestClearance, What};
+use super::outcome::{FoundContact, SimulationOutcome, Size, SmallestClearance, What};
 use crate::check::CheckPolicy;
 use crate::kinematics::{Axis, AxisKind, AxisRanges, AxisValues};
-use crate::simulate::machine::{Clearances, Meeting, MovingAxes, MovingBlock, Occasion, Share, stock_boxes};
-use crate::view::{ExecutedMotion, Motions, Place};
+use crate::simulate::machine::{AxesInMotion, Clearances, Meeting, MovingBlock, Occasion, Share, stock_boxes};
+use crate::view::{ExecutedMotion, ExecutedPlace, Motions};
 
 /// The simulation of a program.
 pub(crate) struct Simulation<'a> {
@@ -40,7 +40,7 @@ impl<'a> Simulation<'a> {
 }
 
 /// States the distances of all pairs, and what took part.
-fn state(clearances: &Clearances, outcome: &mut Outcome, policy: &CheckPolicy, axes: &[Axis]) {
+fn state(clearances: &Clearances, outcome: &mut SimulationOutcome, policy: &CheckPolicy, axes: &[Axis]) {
     for (index, pair) in clearances.pairs().iter().enumerate() {
         let Some(smallest) = &pair.smallest else {
             outcome.far_pairs += 1;
@@ -85,7 +85,7 @@ fn positions(at: &Occasion, policy: &CheckPolicy, axes: &[Axis]) -> Vec<(char, f
 /// The axis values of an executed motion.
 struct AxesOf<'m>(&'m ExecutedMotion<'m>);
 
-impl MovingAxes for AxesOf<'_> {
+impl AxesInMotion for AxesOf<'_> {
     fn at(&self, share: f64, near: &AxisValues) -> AxisValues {
         self.0.axes_at(share, near)
     }
@@ -96,7 +96,7 @@ impl MovingAxes for AxesOf<'_> {
 }
 
 impl Motions for Simulation<'_> {
-    fn motion(&mut self, motion: &ExecutedMotion<'_>) -> Place {
+    fn motion(&mut self, motion: &ExecutedMotion<'_>) -> ExecutedPlace {
         let places = places(motion);
         let set_up = motion.executed.set_up();
         if self.machining.clamp(set_up)
@@ -127,7 +127,7 @@ impl Motions for Simulation<'_> {
             for Meeting { pair, least_mm, at } in meetings {
                 let place_mm = from_part(&at, self.policy);
                 let axes = positions(&at, self.policy, self.axes);
-                self.machining.outcome.add(Found {
+                self.machining.outcome.add(FoundContact {
                     what: What::Bodies(clearances.names(pair).map(str::to_owned)),
                     lines: [at.line; 2],
                     cl_line: at.cl_line,

@@ -2,11 +2,11 @@
 
 use nalgebra::Point3;
 
-use super::machining::{Course, MOST_HALVINGS, PATH_MM, divide};
+use super::machining::{CertifiedCourse, MOST_HALVINGS, PATH_MM, divide};
 use crate::kinematics::{AnyMachine, AxisKind, AxisValues, Pose, StepBound};
 use crate::simulate::removal::{Profile, SweptPiece, TriDexel};
 use crate::simulate::testing::{CUTTERS, EPS, Random, machines, places, rounds};
-use crate::view::Place;
+use crate::view::ExecutedPlace;
 
 /// Half the box of the stock, mm.
 const HALF: f64 = 6.0;
@@ -24,18 +24,18 @@ impl Block<'_> {
         (axes, self.machine.forward_kinematics(&axes))
     }
 
-    fn place(&self, share: f64) -> Place {
+    fn place(&self, share: f64) -> ExecutedPlace {
         let (axes, pose) = self.pose(share);
-        Place { axes, pose }
+        ExecutedPlace { axes, pose }
     }
 }
 
-impl Course for Block<'_> {
-    fn at(&self, share: f64, _near: &Place) -> Place {
+impl CertifiedCourse for Block<'_> {
+    fn at(&self, share: f64, _near: &ExecutedPlace) -> ExecutedPlace {
         self.place(share)
     }
 
-    fn step_bound(&self, _shares: [f64; 2], [from, to]: [&Place; 2]) -> StepBound {
+    fn step_bound(&self, _shares: [f64; 2], [from, to]: [&ExecutedPlace; 2]) -> StepBound {
         StepBound::of(self.machine, &from.axes, &to.axes)
     }
 }

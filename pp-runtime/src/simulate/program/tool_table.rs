@@ -23,7 +23,7 @@ pub(crate) struct TableTool {
 
 /// A tool table.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct ToolTable {
+pub(crate) struct MachineToolTable {
     pub(crate) tools: BTreeMap<u32, TableTool>,
     /// The numbers are those of length offsets (H), not of tools.
     pub(crate) by_offset: bool,
@@ -42,7 +42,7 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     text.lines().enumerate().map(|(index, line)| (index + 1, line)).filter(|(_, line)| !line.trim().is_empty())
 }
 
-impl ToolTable {
+impl MachineToolTable {
     /// Reads a table. `unit_mm`: length of a unit where the file states none.
     ///
     /// # Errors
@@ -196,7 +196,7 @@ fn words(line: &str) -> Result<Vec<(char, f64)>, String> {
     Ok(words)
 }
 
-impl ToolTable {
+impl MachineToolTable {
     /// Gives the tools of a set-up the lengths that they have at the machine; returns sentences about those that differ from
     /// what was posted, and about tools that are not in the table.
     pub(crate) fn apply(&self, set_up: &mut SetUp, facts: &ClFacts) -> Vec<String> {
@@ -237,8 +237,8 @@ impl ToolTable {
 mod tests {
     use super::*;
 
-    fn read(text: &str) -> ToolTable {
-        ToolTable::read(text, 1.0).expect("a tool table")
+    fn read(text: &str) -> MachineToolTable {
+        MachineToolTable::read(text, 1.0).expect("a tool table")
     }
 
     fn tool(length_mm: f64, diameter_mm: f64) -> TableTool {
@@ -250,7 +250,7 @@ mod tests {
         let linuxcnc = read("; tools\nT1 P1 D10.0 Z+120.5 ;mill\nT2 P7 D 8 Z-1\nT0 P0\n\n");
         assert_eq!(linuxcnc.tools, BTreeMap::from([(1, tool(120.5, 10.0)), (2, tool(-1.0, 8.0))]));
         assert!(!linuxcnc.by_offset);
-        let inches = ToolTable::read("T3 P3 D0.5 Z4\n", 25.4).expect("a tool table");
+        let inches = MachineToolTable::read("T3 P3 D0.5 Z4\n", 25.4).expect("a tool table");
         assert_eq!(inches.tools[&3], tool(101.6, 12.7));
         let heidenhain = read(
             "BEGIN TOOL      .T MM\n\
@@ -272,7 +272,7 @@ mod tests {
 
     #[test]
     fn a_text_that_is_no_tool_table_is_refused_at_its_line() {
-        let fault = |text: &str| ToolTable::read(text, 1.0).expect_err("no table").to_string();
+        let fault = |text: &str| MachineToolTable::read(text, 1.0).expect_err("no table").to_string();
         assert_eq!(fault("T1 Z1\nX0 Y0\n"), "line 2: T, or G10, is expected in this line");
         assert_eq!(fault("T1 Z1..2\n"), "line 1: Z1..2 is no number");
         assert_eq!(fault("G10 L10 R5\n"), "line 1: P, the number of the offset, is expected in this line");

@@ -17,5 +17,5 @@ pub(crate) use stock::Removed;
 pub(crate) use surface::{EndValues, MarkedSurface};
 
 pub use profile::{Cutter, Profile, ShapeFault};
-pub use stock::{Contact, Effort, Filled, StockFault, TriDexel};
+pub use stock::{Contact, Effort, FilledPart, StockFault, TriDexel};
 pub use sweep::{LARGEST_TURN, SweptPiece};

@@ -13,7 +13,7 @@ use std::sync::Mutex;
 
 use super::in_order::InOrder;
 use super::profile::Profile;
-use super::sweep::{Covered, LANES, Lines, SweptPiece, SweptSpace};
+use super::sweep::{Covered, EightLines, LANES, SweptPiece, SweptSpace};
 
 /// Lines of a tile in each direction.
 const TILE: usize = 16;
@@ -32,7 +32,7 @@ const MOST_LINES: f64 = 4e8;
 
 /// A part of a line that is material.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Filled {
+pub struct FilledPart {
     /// Lower end, mm.
     pub low: f32,
     /// Upper end, mm.
@@ -43,26 +43,26 @@ pub struct Filled {
     pub high_id: u32,
 }
 
-const NOTHING: Filled = Filled { low: f32::INFINITY, high: f32::NEG_INFINITY, low_id: 0, high_id: 0 };
+const NOTHING: FilledPart = FilledPart { low: f32::INFINITY, high: f32::NEG_INFINITY, low_id: 0, high_id: 0 };
 
 /// The single span of each line of a tile; a line without material, or with several spans, is empty here.
 #[derive(Debug, Clone)]
 enum Spans {
     /// All lines have the same.
-    Alike(Filled),
+    Alike(FilledPart),
     /// Block by block.
-    Each(Box<[Filled; TILE * TILE]>),
+    Each(Box<[FilledPart; TILE * TILE]>),
 }
 
 impl Spans {
-    fn of(&self, line: usize) -> &Filled {
+    fn of(&self, line: usize) -> &FilledPart {
         match self {
             Self::Alike(span) => span,
             Self::Each(spans) => &spans[line],
         }
     }
 
-    fn set(&mut self, line: usize, span: Filled) {
+    fn set(&mut self, line: usize, span: FilledPart) {
         if let Self::Alike(all) = *self {
             *self = Self::Each(Box::new([all; TILE * TILE]));
         }
@@ -80,7 +80,7 @@ impl Spans {
         }
     }
 
-    fn all_mut(&mut self) -> &mut [Filled] {
+    fn all_mut(&mut self) -> &mut [FilledPart] {
         match self {
             Self::Alike(span) => std::slice::from_mut(span),
             Self::Each(spans) => &mut spans[..],
@@ -93,7 +93,7 @@ impl Spans {
 struct Tile {
     spans: Spans,
     /// Lines with several spans, ascending.
-    several: Vec<(u16, Vec<Filled>)>,
+    several: Vec<(u16, Vec<FilledPart>)>,
     /// Lowest and highest material of each block.
     blocks: [[f32; 2]; BLOCKS],
 }
@@ -188,7 +188,7 @@ impl Tile {
     fn measure(&mut self) {
         self.spans.join();
         self.blocks = [[f32::INFINITY, f32::NEG_INFINITY]; BLOCKS];
-        let mut take = |line: usize, span: &Filled| {
+        let mut take = |line: usize, span: &FilledPart| {
             let [low, high] = &mut self.blocks[line / (BLOCK * BLOCK)];
             (*low, *high) = (low.min(span.low), high.max(span.high));
         };
@@ -198,7 +198,7 @@ impl Tile {
         }
     }
 
-    fn set(&mut self, line: usize, spans: &[Filled]) {
+    fn set(&mut self, line: usize, spans: &[FilledPart]) {
         self.several.retain(|(other, _)| usize::from(*other) != line);
         self.spans.set(line, if let [span] = spans { *span } else { NOTHING });
         if spans.len() > 1 {
@@ -206,7 +206,7 @@ impl Tile {
         }
     }
 
-    fn of(&self, line: usize) -> &[Filled] {
+    fn of(&self, line: usize) -> &[FilledPart] {
         let single = self.spans.of(line);
         if single.low <= single.high {
             return std::slice::from_ref(single);
@@ -292,7 +292,7 @@ impl TriDexel {
         stock.fill(|family, line, spans| {
             parts.clear();
             material(family, line, across_line(&low, &pitch, family, line), &mut parts);
-            spans.extend(parts.iter().filter(|part| part[0] < part[1]).map(|part| Filled {
+            spans.extend(parts.iter().filter(|part| part[0] < part[1]).map(|part| FilledPart {
                 low: part[0] as f32,
                 high: part[1] as f32,
                 ..NOTHING
@@ -302,7 +302,7 @@ impl TriDexel {
     }
 
     /// Fills every line with its spans in their order: of a family and its two numbers, the first of which runs fastest.
-    fn fill(&mut self, mut spans_of: impl FnMut(usize, [usize; 2], &mut Vec<Filled>)) {
+    fn fill(&mut self, mut spans_of: impl FnMut(usize, [usize; 2], &mut Vec<FilledPart>)) {
         let mut spans = Vec::new();
         for (family, held) in self.families.iter_mut().enumerate() {
             let [columns, rows] = held.lines;
@@ -375,10 +375,13 @@ impl TriDexel {
             let line = [node[(along + 1) % 3], node[(along + 2) % 3]];
             let moved = |value: f32| (signs[family] * f64::from(value) + by[family]) as f32;
             spans.extend(self.spans(along, line).iter().map(|span| match signs[family] > 0.0 {
-                true => Filled { low: moved(span.low), high: moved(span.high), ..*span },
-                false => {
-                    Filled { low: moved(span.high), high: moved(span.low), low_id: span.high_id, high_id: span.low_id }
-                }
+                true => FilledPart { low: moved(span.low), high: moved(span.high), ..*span },
+                false => FilledPart {
+                    low: moved(span.high),
+                    high: moved(span.low),
+                    low_id: span.high_id,
+                    high_id: span.low_id,
+                },
             }));
             spans.sort_by(|a, b| a.low.total_cmp(&b.low));
         });
@@ -425,7 +428,7 @@ impl TriDexel {
     }
 
     /// The material of a line.
-    pub(super) fn spans(&self, family: usize, [i, j]: [usize; 2]) -> &[Filled] {
+    pub(super) fn spans(&self, family: usize, [i, j]: [usize; 2]) -> &[FilledPart] {
         let held = &self.families[family];
         held.tiles[j / TILE * held.tiles_across + i / TILE].of(line_of(i % TILE, j % TILE))
     }
@@ -440,7 +443,7 @@ impl TriDexel {
     }
 
     /// Shows the spans of every line of a family, with its two coordinates across.
-    pub fn each(&self, family: usize, mut show: impl FnMut([f64; 2], &[Filled])) {
+    pub fn each(&self, family: usize, mut show: impl FnMut([f64; 2], &[FilledPart])) {
         let held = &self.families[family];
         for j in 0..held.lines[1] {
             for i in 0..held.lines[0] {
@@ -508,7 +511,7 @@ impl TriDexel {
     #[must_use]
     pub fn most_bytes(&self) -> usize {
         let tiles: usize = self.families.iter().map(|family| family.tiles.len()).sum();
-        tiles * (size_of::<Tile>() + TILE * TILE * size_of::<Filled>())
+        tiles * (size_of::<Tile>() + TILE * TILE * size_of::<FilledPart>())
     }
 
     /// Cuts the stock by pieces in their order. `eps`: largest distance of a new end from the sweep of its piece, mm.
@@ -615,20 +618,20 @@ struct TileCut {
 }
 
 /// Spans to be compared with a piece.
-struct Batch {
+struct SpanBatch {
     count: usize,
     lines: [u16; LANES],
-    spans: [Filled; LANES],
+    spans: [FilledPart; LANES],
     /// The part of each span that the piece may reach.
     low: [f64; LANES],
     high: [f64; LANES],
 }
 
-impl Batch {
+impl SpanBatch {
     const EMPTY: Self =
         Self { count: 0, lines: [0; LANES], spans: [NOTHING; LANES], low: [0.0; LANES], high: [0.0; LANES] };
 
-    fn add(&mut self, line: u16, span: Filled, [bottom, top]: [f64; 2]) {
+    fn add(&mut self, line: u16, span: FilledPart, [bottom, top]: [f64; 2]) {
         self.lines[self.count] = line;
         self.spans[self.count] = span;
         self.low[self.count] = f64::from(span.low).max(bottom);
@@ -701,9 +704,9 @@ impl TileCut {
         }
         let sweep = SweptSpace::new(piece, profile, self.eps);
         let mut changed = false;
-        let mut batch = Batch::EMPTY;
+        let mut batch = SpanBatch::EMPTY;
         // Lines with several spans come last: a line that gets its second span must not be seen twice.
-        let several: Vec<(u16, Filled)> =
+        let several: Vec<(u16, FilledPart)> =
             tile.several.iter().flat_map(|(line, spans)| spans.iter().map(|span| (*line, *span))).collect();
         for (block, top) in tops.iter().enumerate() {
             if *top == f64::NEG_INFINITY {
@@ -715,7 +718,7 @@ impl TileCut {
                     batch.add(line as u16, span, [bottom, *top]);
                     if batch.count == LANES {
                         changed |= self.cut_batch(tile, &sweep, &batch, index);
-                        batch = Batch::EMPTY;
+                        batch = SpanBatch::EMPTY;
                     }
                 }
             }
@@ -726,7 +729,7 @@ impl TileCut {
                 batch.add(line, span, [bottom, top]);
                 if batch.count == LANES {
                     changed |= self.cut_batch(tile, &sweep, &batch, index);
-                    batch = Batch::EMPTY;
+                    batch = SpanBatch::EMPTY;
                 }
             }
         }
@@ -739,9 +742,9 @@ impl TileCut {
     }
 
     /// Cuts spans; returns whether the tile has changed.
-    fn cut_batch(&mut self, tile: &mut Tile, sweep: &SweptSpace<'_>, batch: &Batch, index: u32) -> bool {
+    fn cut_batch(&mut self, tile: &mut Tile, sweep: &SweptSpace<'_>, batch: &SpanBatch, index: u32) -> bool {
         let mut lines =
-            Lines { u: [0.0; LANES], v: [0.0; LANES], low: batch.low, high: batch.high, live: [false; LANES] };
+            EightLines { u: [0.0; LANES], v: [0.0; LANES], low: batch.low, high: batch.high, live: [false; LANES] };
         for lane in 0..LANES {
             [lines.u[lane], lines.v[lane]] = self.place(usize::from(batch.lines[lane]));
             lines.live[lane] = lane < batch.count && batch.high[lane] > batch.low[lane];
@@ -768,15 +771,15 @@ impl TileCut {
     }
 
     /// Removes a part from the spans of a line that are within one of its earlier spans.
-    fn remove(&self, tile: &mut Tile, line: u16, within: &Filled, [low, high]: [f64; 2], id: u32) {
+    fn remove(&self, tile: &mut Tile, line: u16, within: &FilledPart, [low, high]: [f64; 2], id: u32) {
         let line = usize::from(line);
-        let kept = |span: &Filled| {
-            let below = (low - f64::from(span.low) > self.eps).then_some(Filled {
+        let kept = |span: &FilledPart| {
+            let below = (low - f64::from(span.low) > self.eps).then_some(FilledPart {
                 high: (low as f32).min(span.high),
                 high_id: if (low as f32) < span.high { id } else { span.high_id },
                 ..*span
             });
-            let above = (f64::from(span.high) - high > self.eps).then_some(Filled {
+            let above = (f64::from(span.high) - high > self.eps).then_some(FilledPart {
                 low: (high as f32).max(span.low),
                 low_id: if (high as f32) > span.low { id } else { span.low_id },
                 ..*span

@@ -5,10 +5,10 @@
 //! face of the vertices of the four cells around it, so the surface is closed. On planes it is exact; edges of the material
 //! are cut off by about a third of the pitch.
 
-use super::stock::{Filled, TriDexel};
+use super::stock::{FilledPart, TriDexel};
 
 /// Vertices and triangles, counter-clockwise from outside.
-type Triangles = (Vec<[f64; 3]>, Vec<[u32; 3]>);
+type SurfaceTriangles = (Vec<[f64; 3]>, Vec<[u32; 3]>);
 
 /// Values of the ends of all lines of a stock, by family: NaN where unknown.
 #[derive(Debug, Clone, Default)]
@@ -65,7 +65,7 @@ struct Nets<'a> {
 
 impl TriDexel {
     /// Its surface as triangles.
-    pub(crate) fn surface(&self) -> Triangles {
+    pub(crate) fn surface(&self) -> SurfaceTriangles {
         let MarkedSurface { vertices, faces, .. } = self.marked_surface(&EndValues::default());
         (vertices, faces)
     }
@@ -115,7 +115,7 @@ impl Nets<'_> {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         let line = [node[u] - 1, node[v] - 1];
         let spans = self.stock.spans(axis, line).iter().enumerate();
-        let ends = spans.map(|(number, span): (usize, &Filled)| match inside {
+        let ends = spans.map(|(number, span): (usize, &FilledPart)| match inside {
             true => (f64::from(span.high), span.high_id, 2 * number + 1),
             false => (f64::from(span.low), span.low_id, 2 * number),
         });

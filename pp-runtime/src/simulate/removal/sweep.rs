@@ -227,7 +227,7 @@ pub(super) struct Entries {
 
 /// Parts of eight lines.
 #[derive(Clone, Copy)]
-pub(super) struct Lines {
+pub(super) struct EightLines {
     pub(super) u: Lanes,
     pub(super) v: Lanes,
     pub(super) low: Lanes,
@@ -525,15 +525,15 @@ impl<'a> SweptSpace<'a> {
     }
 
     /// The parts of lines that the sweep covers. The piece is divided where they cannot be certified at once.
-    pub(super) fn covered(&self, lines: &Lines, covered: &mut Covered) {
+    pub(super) fn covered(&self, lines: &EightLines, covered: &mut Covered) {
         self.cover(lines, MOST_HALVINGS, covered);
     }
 
-    fn cover(&self, lines: &Lines, halvings: u32, covered: &mut Covered) {
-        let Lines { u, v, low, high, live } = lines;
+    fn cover(&self, lines: &EightLines, halvings: u32, covered: &mut Covered) {
+        let EightLines { u, v, low, high, live } = lines;
         let above = self.entries(u, v, high, low, *live);
         let mut met = [false; LANES];
-        let mut again = Lines { live: [false; LANES], ..*lines };
+        let mut again = EightLines { live: [false; LANES], ..*lines };
         for lane in 0..LANES {
             met[lane] = live[lane] && !above.z[lane].is_nan() && !above.open[lane];
             if above.open[lane] {

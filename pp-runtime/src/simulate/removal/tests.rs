@@ -6,10 +6,10 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::profile::{Cutter, Profile};
 use super::stock::TriDexel;
-use super::sweep::{Covered, LANES, Lines, SweptPiece, SweptSpace};
+use super::sweep::{Covered, EightLines, LANES, SweptPiece, SweptSpace};
 use crate::kinematics::Pose;
 use crate::simulate::bodies::Mesh;
-use crate::simulate::design::Surface;
+use crate::simulate::design::TriangleSurface;
 use crate::simulate::testing::{CUTTERS, EPS, Random, cut_by_two_threads, places, pose, rounds, upright};
 
 /// A motion through about the middle of a box around zero; every third one does not turn.
@@ -63,7 +63,7 @@ fn sampled(piece: &SweptPiece, profile: &Profile, point: [f64; 3], places: u32) 
 /// point is farther inside.
 fn compare_line(piece: &SweptPiece, profile: &Profile, line: [f64; 2], places: u32, about: &str) -> (f64, f64, usize) {
     let (low, high) = (-30.0, 30.0);
-    let mut lines = Lines {
+    let mut lines = EightLines {
         u: [line[0]; LANES],
         v: [line[1]; LANES],
         low: [low; LANES],
@@ -415,7 +415,7 @@ fn the_surface_of_a_stock_is_closed_and_near_its_ends() {
     let mesh = Mesh::new(vertices, faces).expect("a closed body");
     let volume = stock.volumes().iter().sum::<f64>() / 3.0;
     assert!((mesh.volume() - volume).abs() < 1e-2 * volume, "{} {volume}", mesh.volume());
-    let surface = Surface::new(mesh.corners_of_triangles());
+    let surface = TriangleSurface::new(mesh.corners_of_triangles());
     let (mut farthest, mut near, mut ends): (f64, u32, u32) = (0.0, 0, 0);
     for family in 0..3 {
         stock.each(family, |across, spans| {

@@ -13,7 +13,7 @@ const PARALLEL: f64 = 1e-12;
 
 /// A solved rotary axis with all axes at zero.
 #[derive(Debug, Clone)]
-pub(super) struct Rotary {
+pub(super) struct RotaryAtZero {
     pub(super) letter: char,
     pub(super) side: Side,
     /// Unit vector about which the table or the head itself rotates right-handed while the word grows.
@@ -22,7 +22,7 @@ pub(super) struct Rotary {
     pub(super) point: Vector3<f64>,
 }
 
-impl Rotary {
+impl RotaryAtZero {
     fn new(axis: &Axis, joint: &Joint) -> Self {
         // Words count the motion of the tool relative to the workpiece: a table moves the opposite way.
         let carried = match axis.side {
@@ -52,15 +52,15 @@ pub(super) fn coordinate(vector: &Vector3<f64>) -> Option<usize> {
 #[derive(Debug)]
 pub(super) enum Arrangement {
     /// In the head, the axis next to the bed first.
-    Head(Rotary, Option<Rotary>),
+    Head(RotaryAtZero, Option<RotaryAtZero>),
     /// In the table, the axis next to the bed first.
-    Table(Rotary, Option<Rotary>),
+    Table(RotaryAtZero, Option<RotaryAtZero>),
     /// One in the head, one in the table.
     Mixed {
         /// The axis in the head.
-        head: Rotary,
+        head: RotaryAtZero,
         /// The axis in the table.
-        table: Rotary,
+        table: RotaryAtZero,
     },
 }
 
@@ -92,7 +92,7 @@ impl Arrangement {
     }
 
     /// The first and the second rotary axis of the transformation: next to the bed first, of a head and a table the head.
-    pub(super) fn axes(&self) -> (&Rotary, Option<&Rotary>) {
+    pub(super) fn axes(&self) -> (&RotaryAtZero, Option<&RotaryAtZero>) {
         match self {
             Self::Head(first, second) | Self::Table(first, second) => (first, second.as_ref()),
             Self::Mixed { head, table } => (head, Some(table)),
@@ -100,10 +100,10 @@ impl Arrangement {
     }
 }
 
-fn rotary_axes(machine: &dyn AnyMachine, side: Side) -> Vec<Rotary> {
+fn rotary_axes(machine: &dyn AnyMachine, side: Side) -> Vec<RotaryAtZero> {
     let axes = machine.axes().iter().enumerate();
     let solved = axes.filter(|(_, axis)| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side);
-    solved.map(|(index, axis)| Rotary::new(axis, &machine.joint(index))).collect()
+    solved.map(|(index, axis)| RotaryAtZero::new(axis, &machine.joint(index))).collect()
 }
 
 /// A held axis has no place in these models: they describe the machine with that axis at zero.

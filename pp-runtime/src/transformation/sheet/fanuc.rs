@@ -17,9 +17,9 @@ use crate::config::{Config, TcpFrame};
 use crate::kinematics::{AnyMachine, AxisKind, Side};
 
 use super::super::NotExpressible;
-use super::chain::{Arrangement, Rotary, machine_coordinates, tool_coordinate};
-use super::rows::{Expected, Group, Row, Section, Sheet, XYZ, known_lengths, lengths};
-use super::tests_at_machine::{Words, tests};
+use super::chain::{Arrangement, RotaryAtZero, machine_coordinates, tool_coordinate};
+use super::rows::{Expected, Group, ParameterSection, Row, Sheet, XYZ, known_lengths, lengths};
+use super::tests_at_machine::{ControlWords, tests};
 
 const MODEL: &str = "five-axis machining (G43.4, G68.2)";
 
@@ -37,7 +37,7 @@ struct Inclination {
 
 impl Inclination {
     /// Of an axis along a coordinate or in a plane of two.
-    fn of(axis: &Rotary) -> Result<Self, NotExpressible> {
+    fn of(axis: &RotaryAtZero) -> Result<Self, NotExpressible> {
         let rotation = &axis.rotation;
         if let Some(index) = axis.coordinate() {
             let direction = u32::from(rotation[index] < 0.0);
@@ -112,9 +112,9 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
             second.letter,
             place(second)
         )],
-        sections: vec![Section { title: "Parameters of five-axis machining".to_owned(), groups }],
+        sections: vec![ParameterSection { title: "Parameters of five-axis machining".to_owned(), groups }],
         differences: differences(&arrangement),
-        tests: tests(machine, &Words { control: "fanuc", tip_control: "G43.4", plane: "G68.2 and G53.1" }),
+        tests: tests(machine, &ControlWords { control: "fanuc", tip_control: "G43.4", plane: "G68.2 and G53.1" }),
         sources: vec![
             "A-79348E: Series 30i-MODEL A, Tool center point control for 5-axis machining, additional manual, 01/2004",
             "B-63943EN-1/02: Series 30i/31i/32i-MODEL A, Connection Manual (Function)",
@@ -124,7 +124,7 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
     })
 }
 
-fn place(axis: &Rotary) -> &'static str {
+fn place(axis: &RotaryAtZero) -> &'static str {
     match axis.side {
         Side::Workpiece => "in the table",
         Side::Tool => "in the head",
@@ -145,7 +145,7 @@ fn kind(arrangement: &Arrangement) -> Group {
 }
 
 /// 19681 to 19684, or 19686 to 19689.
-fn rotary_axis(axis: &Rotary, rank: &str, number: u32) -> Result<[Group; 3], NotExpressible> {
+fn rotary_axis(axis: &RotaryAtZero, rank: &str, number: u32) -> Result<[Group; 3], NotExpressible> {
     let Inclination { code, degrees, direction } = Inclination::of(axis)?;
     let sense = if direction == 0 { "right-handed" } else { "left-handed" };
     let body = match axis.side {
@@ -222,7 +222,7 @@ fn reference_direction(tool: usize) -> [Group; 1] {
 }
 
 /// 19700 to 19705.
-fn table(machine: &dyn AnyMachine, config: &Config, first: &Rotary, second: Option<&Rotary>) -> Vec<Group> {
+fn table(machine: &dyn AnyMachine, config: &Config, first: &RotaryAtZero, second: Option<&RotaryAtZero>) -> Vec<Group> {
     let point = machine_coordinates(config, &first.point);
     let mut position = Group::new(
         format!(
@@ -258,7 +258,7 @@ fn table(machine: &dyn AnyMachine, config: &Config, first: &Rotary, second: Opti
 }
 
 /// 19666 and 19709 to 19714. `slave` is the axis next to the tool.
-fn head_offsets(slave: &Rotary, master: Option<&Rotary>, tool: usize) -> Vec<Group> {
+fn head_offsets(slave: &RotaryAtZero, master: Option<&RotaryAtZero>, tool: usize) -> Vec<Group> {
     let holder = slave.point[tool];
     let mut along = Vector3::zeros();
     along[tool] = holder;

@@ -9,9 +9,9 @@ use crate::config::Config;
 use crate::kinematics::AnyMachine;
 
 use super::super::NotExpressible;
-use super::chain::{Arrangement, Rotary, machine_coordinates, tool_coordinate};
-use super::rows::{Expected, Group, Row, Section, Sheet, XYZ, known};
-use super::tests_at_machine::{Words, tests};
+use super::chain::{Arrangement, RotaryAtZero, machine_coordinates, tool_coordinate};
+use super::rows::{Expected, Group, ParameterSection, Row, Sheet, XYZ, known};
+use super::tests_at_machine::{ControlWords, tests};
 
 const MODEL: &str = "tip control of Haas (G234)";
 
@@ -37,8 +37,8 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
                 .to_owned(),
         ],
         sections: vec![
-            Section { title: "Machine rotary zero point, settings 255 to 257".to_owned(), groups: older(config, tilt, rotary) },
-            Section { title: "Machine rotary zero point, settings 300 to 305".to_owned(), groups: newer(config, tilt, rotary) },
+            ParameterSection { title: "Machine rotary zero point, settings 255 to 257".to_owned(), groups: older(config, tilt, rotary) },
+            ParameterSection { title: "Machine rotary zero point, settings 300 to 305".to_owned(), groups: newer(config, tilt, rotary) },
         ],
         differences: vec![
             "Settings 255 to 257 have no distance between B and C along X: if the centre line of C is not over that of B in X, newer \
@@ -48,22 +48,22 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
              correct the setting, or the dimensions and `d` of the declaration. The post and the control must have the same numbers."
                 .to_owned(),
         ],
-        tests: tests(machine, &Words { control: "haas", tip_control: "G234", plane: "G254, or with G268 and G253" }),
+        tests: tests(machine, &ControlWords { control: "haas", tip_control: "G234", plane: "G254, or with G268 and G253" }),
         sources: vec!["No public page of these settings was found: everything here is from general knowledge."],
     })
 }
 
 /// B and C of a table as on the UMC.
-fn tilting_table(arrangement: &Arrangement, tool: usize) -> Option<[&Rotary; 2]> {
+fn tilting_table(arrangement: &Arrangement, tool: usize) -> Option<[&RotaryAtZero; 2]> {
     let Arrangement::Table(tilt, Some(rotary)) = arrangement else { return None };
     // A table with signs of ISO 841 rotates left-handed.
-    let runs = |axis: &Rotary, letter: char, index: usize| {
+    let runs = |axis: &RotaryAtZero, letter: char, index: usize| {
         axis.letter == letter && axis.coordinate() == Some(index) && axis.rotation[index] < 0.0
     };
     (runs(tilt, 'B', 1) && runs(rotary, 'C', 2) && tool == 2).then_some([tilt, rotary])
 }
 
-fn older(config: &Config, tilt: &Rotary, rotary: &Rotary) -> Vec<Group> {
+fn older(config: &Config, tilt: &RotaryAtZero, rotary: &RotaryAtZero) -> Vec<Group> {
     let (of_b, of_c) = (machine_coordinates(config, &tilt.point), machine_coordinates(config, &rotary.point));
     let apart = rotary.point.x - tilt.point.x;
     let same = apart.abs() < 0.00005;
@@ -97,7 +97,7 @@ fn older(config: &Config, tilt: &Rotary, rotary: &Rotary) -> Vec<Group> {
     groups
 }
 
-fn newer(config: &Config, tilt: &Rotary, rotary: &Rotary) -> Vec<Group> {
+fn newer(config: &Config, tilt: &RotaryAtZero, rotary: &RotaryAtZero) -> Vec<Group> {
     [("master", tilt, 300), ("slave", rotary, 303)]
         .map(|(rank, axis, number)| {
             let point = machine_coordinates(config, &axis.point);

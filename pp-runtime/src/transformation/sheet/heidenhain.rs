@@ -17,14 +17,14 @@ use crate::kinematics::{AnyMachine, Axis, AxisKind, Joint, Side, Sign};
 
 use super::super::NotExpressible;
 use super::chain::{coordinate, held_axes_are_zero, linear_axes_are_coordinates, machine_coordinates, tool_coordinate};
-use super::rows::{Expected, Group, Row, Section, Sheet, XYZ, known};
-use super::tests_at_machine::{Words, tests};
+use super::rows::{Expected, Group, ParameterSection, Row, Sheet, XYZ, known};
+use super::tests_at_machine::{ControlWords, tests};
 
 const MODEL: &str = "the kinematics description of the TNC";
 const STEPS: &str = "TM iTNC 530 p. 670, 722";
 
 /// A step of the description.
-struct Step<'a> {
+struct DescriptionStep<'a> {
     axis: &'a Axis,
     joint: Joint,
 }
@@ -36,7 +36,8 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
     let tool = tool_coordinate(machine, MODEL)?;
     let solved = machine.axes().iter().enumerate().filter(|(_, axis)| !axis.held);
     // From the tool to the workpiece.
-    let steps: Vec<Step<'_>> = solved.rev().map(|(index, axis)| Step { axis, joint: machine.joint(index) }).collect();
+    let steps: Vec<DescriptionStep<'_>> =
+        solved.rev().map(|(index, axis)| DescriptionStep { axis, joint: machine.joint(index) }).collect();
     if steps.iter().all(|step| step.axis.kind == AxisKind::Linear) {
         return Err(NotExpressible(format!(
             "{} has no rotary axis that is solved for: there is nothing to compare with {MODEL}",
@@ -55,7 +56,7 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
              do not matter. Shifts that follow each other may be added."
                 .to_owned(),
         ],
-        sections: vec![Section {
+        sections: vec![ParameterSection {
             title: "Kinematics description, from the tool to the workpiece".to_owned(),
             groups: groups(config, &steps, tool)?,
         }],
@@ -70,7 +71,7 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
              `d` of the declaration."
                 .to_owned(),
         ],
-        tests: tests(machine, &Words { control: "heidenhain", tip_control: "M128 or FUNCTION TCPM", plane: "PLANE SPATIAL" }),
+        tests: tests(machine, &ControlWords { control: "heidenhain", tip_control: "M128 or FUNCTION TCPM", plane: "PLANE SPATIAL" }),
         sources: vec![
             "TM iTNC 530: Technical Manual iTNC 530 HSCI, 07/2013",
             "TM MANUALplus: Technical Manual MANUALplus 620, 01/2012, p. 749",
@@ -79,7 +80,7 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
 }
 
 /// Steps and shifts between them. Their numbers count the rows of this sheet.
-fn groups(config: &Config, steps: &[Step<'_>], tool: usize) -> Result<Vec<Group>, NotExpressible> {
+fn groups(config: &Config, steps: &[DescriptionStep<'_>], tool: usize) -> Result<Vec<Group>, NotExpressible> {
     let mut groups = vec![Group::new(
         format!("Tool axis: {}.", XYZ[tool]),
         "TM iTNC 530 p. 722",
@@ -127,7 +128,7 @@ fn bed() -> Group {
 }
 
 /// The shift to a centre line.
-fn shift(step: &Step<'_>, from: &[Option<f64>; 3], to: &[Option<f64>; 3]) -> Group {
+fn shift(step: &DescriptionStep<'_>, from: &[Option<f64>; 3], to: &[Option<f64>; 3]) -> Group {
     let letter = step.axis.letter;
     let along = coordinate(&step.joint.direction);
     let rows = (0..3)
@@ -157,7 +158,7 @@ fn shift(step: &Step<'_>, from: &[Option<f64>; 3], to: &[Option<f64>; 3]) -> Gro
 }
 
 /// The axis itself, between two rotations of the coordinate system if it is inclined.
-fn axis(step: &Step<'_>) -> Result<Vec<Group>, NotExpressible> {
+fn axis(step: &DescriptionStep<'_>) -> Result<Vec<Group>, NotExpressible> {
     let letter = step.axis.letter;
     let direction = step.joint.direction.into_inner();
     let machine_axis = Group::new(

@@ -11,9 +11,9 @@ use crate::config::Config;
 use crate::kinematics::{AnyMachine, AxisKind, Limits, Sign};
 
 use super::super::NotExpressible;
-use super::chain::{Arrangement, Rotary, machine_coordinates, tool_coordinate};
-use super::rows::{Expected, Group, Row, Section, Sheet, known};
-use super::tests_at_machine::{Words, tests};
+use super::chain::{Arrangement, RotaryAtZero, machine_coordinates, tool_coordinate};
+use super::rows::{Expected, Group, ParameterSection, Row, Sheet, known};
+use super::tests_at_machine::{ControlWords, tests};
 
 const MODEL: &str = "the modules of LinuxCNC";
 
@@ -26,7 +26,7 @@ const SWITCHABLE: &str = "switchkins.adoc; 428remap.ngc, 429remap.ngc, 430remap.
 const SAME_MM: f64 = 0.000_05;
 
 /// A module of LinuxCNC.
-struct Module {
+struct KinematicsModule {
     /// As in `KINEMATICS`, and the prefix of its pins.
     name: &'static str,
     /// It takes letters of its joints, and which kinematics are type 0.
@@ -36,7 +36,7 @@ struct Module {
     /// The rotary axis next to the bed, and the one that it carries.
     axes: [Direction; 2],
     in_head: bool,
-    pins: fn(&Config, &Rotary, &Rotary) -> Vec<Group>,
+    pins: fn(&Config, &RotaryAtZero, &RotaryAtZero) -> Vec<Group>,
 }
 
 /// A rotary axis of a module: its letter, and about which coordinate it rotates right-handed (`1.0`) or left-handed.
@@ -46,8 +46,8 @@ struct Direction {
     hand: f64,
 }
 
-static MODULES: [Module; 4] = [
-    Module {
+static MODULES: [KinematicsModule; 4] = [
+    KinematicsModule {
         name: "xyzac-trt-kins",
         parameters: true,
         joints: "XYZAC",
@@ -58,7 +58,7 @@ static MODULES: [Module; 4] = [
         in_head: false,
         pins: |config, tilt, rotary| tilting_table(config, tilt, rotary, ("y-offset", 1, "x-offset")),
     },
-    Module {
+    KinematicsModule {
         name: "xyzbc-trt-kins",
         parameters: true,
         joints: "XYZBC",
@@ -69,7 +69,7 @@ static MODULES: [Module; 4] = [
         in_head: false,
         pins: |config, tilt, rotary| tilting_table(config, tilt, rotary, ("x-offset", 0, "y-offset")),
     },
-    Module {
+    KinematicsModule {
         name: "xyzab_tdr_kins",
         parameters: false,
         joints: "XYZAB",
@@ -80,7 +80,7 @@ static MODULES: [Module; 4] = [
         in_head: false,
         pins: two_tables,
     },
-    Module {
+    KinematicsModule {
         name: "5axiskins",
         parameters: true,
         joints: "XYZBCW",
@@ -104,14 +104,14 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
             return Err(none(machine));
         }
     };
-    let fits = |module: &&Module| {
+    let fits = |module: &&KinematicsModule| {
         let along =
-            |axis: &Rotary, of: &Direction| axis.letter == of.letter && axis.coordinate() == Some(of.coordinate);
+            |axis: &RotaryAtZero, of: &Direction| axis.letter == of.letter && axis.coordinate() == Some(of.coordinate);
         module.in_head == in_head && tool == 2 && along(first, &module.axes[0]) && along(second, &module.axes[1])
     };
     let module = MODULES.iter().find(fits).ok_or_else(|| none(machine))?;
     let reversed = [first, second].into_iter().zip(&module.axes);
-    let reversed: Vec<&Rotary> =
+    let reversed: Vec<&RotaryAtZero> =
         reversed.filter(|(axis, of)| axis.rotation[of.coordinate] * of.hand < 0.0).map(|(axis, _)| axis).collect();
     if !reversed.is_empty() {
         return Err(counts_the_other_way(machine, config, module, &reversed));
@@ -131,9 +131,9 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
                 .to_owned(),
         ],
         sections: vec![
-            Section { title: "Kinematics and codes".to_owned(), groups: lines(module) },
-            Section { title: format!("Pins of {}", module.name), groups: (module.pins)(config, first, second) },
-            Section { title: "Travel".to_owned(), groups: vec![travel(machine, config, module)] },
+            ParameterSection { title: "Kinematics and codes".to_owned(), groups: lines(module) },
+            ParameterSection { title: format!("Pins of {}", module.name), groups: (module.pins)(config, first, second) },
+            ParameterSection { title: "Travel".to_owned(), groups: vec![travel(machine, config, module)] },
         ],
         differences: vec![
             "Only the sum of `z-rot-point` and `z-offset` counts: where the machine has another `z-rot-point`, the difference belongs \
@@ -148,7 +148,7 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
         ],
         tests: tests(
             machine,
-            &Words { control: "linuxcnc", tip_control: "M428", plane: "the rotary axes, in type 0 and in type 1" },
+            &ControlWords { control: "linuxcnc", tip_control: "M428", plane: "the rotary axes, in type 0 and in type 1" },
         ),
         sources: vec![
             "LinuxCNC, src/emc/kinematics/trtfuncs.c: xyzacKinematicsInverse, xyzbcKinematicsInverse.",
@@ -174,8 +174,8 @@ fn none(machine: &dyn AnyMachine) -> NotExpressible {
 fn counts_the_other_way(
     machine: &dyn AnyMachine,
     config: &Config,
-    module: &Module,
-    reversed: &[&Rotary],
+    module: &KinematicsModule,
+    reversed: &[&RotaryAtZero],
 ) -> NotExpressible {
     let bounds = config.set_up.travel(machine.axes());
     let mut letters = Vec::new();
@@ -214,7 +214,7 @@ fn rounded(value: f64) -> f64 {
 }
 
 /// The module has one point for both centre lines of the head, on the tool axis.
-fn centred(first: &Rotary, second: &Rotary) -> Result<(), NotExpressible> {
+fn centred(first: &RotaryAtZero, second: &RotaryAtZero) -> Result<(), NotExpressible> {
     let off = [(first.letter, first.point.x), (first.letter, first.point.y), (second.letter, second.point.x)];
     match off.into_iter().find(|(_, distance)| distance.abs() > SAME_MM) {
         None => Ok(()),
@@ -226,7 +226,7 @@ fn centred(first: &Rotary, second: &Rotary) -> Result<(), NotExpressible> {
 }
 
 /// Lines of the INI file, and the codes.
-fn lines(module: &Module) -> Vec<Group> {
+fn lines(module: &KinematicsModule) -> Vec<Group> {
     let mut kinematics = vec![Row::code("[KINS]", "KINEMATICS", module.name)];
     if module.parameters {
         kinematics.push(Row::code("[KINS]", "KINEMATICS, sparm=", "identityfirst"));
@@ -260,8 +260,8 @@ fn lines(module: &Module) -> Vec<Group> {
 /// that distance, and the pin that the module does not use.
 fn tilting_table(
     config: &Config,
-    tilt: &Rotary,
-    rotary: &Rotary,
+    tilt: &RotaryAtZero,
+    rotary: &RotaryAtZero,
     (across, component, unused): (&'static str, usize, &'static str),
 ) -> Vec<Group> {
     let (of_tilt, of_rotary) = (machine_coordinates(config, &tilt.point), machine_coordinates(config, &rotary.point));
@@ -300,7 +300,7 @@ fn tilting_table(
 }
 
 /// Pins of two rotary tables, A on B.
-fn two_tables(config: &Config, b: &Rotary, a: &Rotary) -> Vec<Group> {
+fn two_tables(config: &Config, b: &RotaryAtZero, a: &RotaryAtZero) -> Vec<Group> {
     let (of_b, of_a) = (machine_coordinates(config, &b.point), machine_coordinates(config, &a.point));
     vec![
         Group::new(
@@ -329,7 +329,7 @@ fn two_tables(config: &Config, b: &Rotary, a: &Rotary) -> Vec<Group> {
 }
 
 /// The pin of a fork head.
-fn fork_head(tilt: &Rotary) -> Vec<Group> {
+fn fork_head(tilt: &RotaryAtZero) -> Vec<Group> {
     vec![
         Group::new(
             "From the centre line of B to the gauge line. The pin is the sum of this and of the tool length: connect it to a `sum2`, one \
@@ -346,7 +346,7 @@ fn fork_head(tilt: &Rotary) -> Vec<Group> {
 }
 
 /// Limits of the joints, in the direction in which they are declared: that of the module.
-fn travel(machine: &dyn AnyMachine, config: &Config, module: &Module) -> Group {
+fn travel(machine: &dyn AnyMachine, config: &Config, module: &KinematicsModule) -> Group {
     let bounds = config.set_up.travel(machine.axes());
     let mut rows = Vec::new();
     for (joint, letter) in module.joints.chars().enumerate() {

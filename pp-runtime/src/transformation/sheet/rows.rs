@@ -11,7 +11,7 @@ pub(super) struct Sheet {
     pub(super) control: &'static str,
     /// Where the parameters are found in the control, and conditions of the sheet; one paragraph each.
     pub(super) introduction: Vec<String>,
-    pub(super) sections: Vec<Section>,
+    pub(super) sections: Vec<ParameterSection>,
     /// Which differences mean the same machine, and what to do about others; one paragraph each.
     pub(super) differences: Vec<String>,
     /// Tests at the machine, numbered from 1; one paragraph each line.
@@ -21,7 +21,7 @@ pub(super) struct Sheet {
 }
 
 /// Parameters of one function.
-pub(super) struct Section {
+pub(super) struct ParameterSection {
     pub(super) title: String,
     pub(super) groups: Vec<Group>,
 }

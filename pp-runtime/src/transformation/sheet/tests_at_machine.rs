@@ -6,7 +6,7 @@ use super::chain::held_axes;
 use super::print::BOX;
 
 /// Words of a control for the tests.
-pub(super) struct Words {
+pub(super) struct ControlWords {
     /// Name in `--control`.
     pub(super) control: &'static str,
     /// Code that switches tip control on.
@@ -16,8 +16,8 @@ pub(super) struct Words {
 }
 
 /// The three tests: directions, tip control, tilted plane.
-pub(super) fn tests(machine: &dyn AnyMachine, words: &Words) -> Vec<Vec<String>> {
-    let Words { control, tip_control, plane } = words;
+pub(super) fn tests(machine: &dyn AnyMachine, words: &ControlWords) -> Vec<Vec<String>> {
+    let ControlWords { control, tip_control, plane } = words;
     vec![
         directions(machine),
         vec![

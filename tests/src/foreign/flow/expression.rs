@@ -113,13 +113,13 @@ const FUNCTIONS: &[&str] = &[
 
 /// Reads values from the beginning of a text.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Reader<'a> {
+pub(super) struct ValueReader<'a> {
     pub(super) control: Control,
     pub(super) text: &'a str,
     pub(super) variables: &'a Variables,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> ValueReader<'a> {
     /// Takes a text off the beginning.
     pub(super) fn take(&mut self, piece: &str) -> bool {
         let rest = self.text.trim_start().strip_prefix(piece);

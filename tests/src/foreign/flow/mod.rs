@@ -14,8 +14,8 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use super::Control::{self, Fanuc, Haas, Heidenhain, LinuxCnc, Siemens};
-use expression::{Fault, Reader, Variables, index, wrong};
-use statement::{Call, Direction, Line, Statement};
+use expression::{Fault, ValueReader, Variables, index, wrong};
+use statement::{Call, Direction, FlowLine, Statement};
 
 /// Most lines that are executed.
 const MOST: usize = 100_000;
@@ -28,7 +28,7 @@ pub(super) struct Flow {
     control: Control,
     /// Lines are handed on as they are where programs hold no variables.
     active: bool,
-    lines: Vec<Line>,
+    lines: Vec<FlowLine>,
     /// Next line.
     next: usize,
     /// After the last line that has been read.
@@ -133,8 +133,8 @@ impl Flow {
         }
     }
 
-    fn reader<'a>(&'a self, text: &'a str) -> Reader<'a> {
-        Reader { control: self.control, text, variables: &self.variables }
+    fn reader<'a>(&'a self, text: &'a str) -> ValueReader<'a> {
+        ValueReader { control: self.control, text, variables: &self.variables }
     }
 
     fn value(&self, text: &str) -> Result<f64, Fault> {
@@ -354,7 +354,7 @@ impl Flow {
     fn close(&self, at: usize, pair: Pair, branch: bool) -> Result<usize, Fault> {
         let mut depth = 0;
         for line in at + 1..self.lines.len() {
-            let Line { label, statement, .. } = &self.lines[line];
+            let FlowLine { label, statement, .. } = &self.lines[line];
             if self.control != Siemens && *label != self.lines[at].label {
                 continue;
             }
@@ -508,7 +508,7 @@ impl Flow {
         let iso = matches!(self.control, Fanuc | Haas);
         let name = if iso { index(self.value(name)?)?.to_string() } else { name.to_owned() };
         let of = |name: &str| {
-            let is = |line: &Line| statement::program(self.control, &line.code).as_deref() == Some(name);
+            let is = |line: &FlowLine| statement::program(self.control, &line.code).as_deref() == Some(name);
             self.lines.iter().position(is)
         };
         if let Some(start) = of(&name) {
@@ -626,7 +626,7 @@ impl Flow {
 /// Variables of the letters A to Z as arguments of G65; 0 where a letter is none.
 const LOCALS: [usize; 26] = [1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26];
 
-fn function_value(function: u32, mut reader: Reader<'_>) -> Result<f64, Fault> {
+fn function_value(function: u32, mut reader: ValueReader<'_>) -> Result<f64, Fault> {
     let value = match function {
         0 => reader.primary()?,
         5 => {

@@ -5,7 +5,7 @@ use super::expression::{Variables, is_parameter};
 
 /// A line of a program.
 #[derive(Debug)]
-pub(super) struct Line {
+pub(super) struct FlowLine {
     /// Number, from 1.
     pub(super) number: usize,
     /// Text as it is written.
@@ -84,8 +84,8 @@ pub(super) enum Direction {
 }
 
 /// The statement of each line.
-pub(super) fn lines(control: Control, joined: Vec<(usize, String)>, variables: &mut Variables) -> Vec<Line> {
-    let mut lines: Vec<Line> = Vec::new();
+pub(super) fn lines(control: Control, joined: Vec<(usize, String)>, variables: &mut Variables) -> Vec<FlowLine> {
+    let mut lines: Vec<FlowLine> = Vec::new();
     let codes: Vec<(Option<String>, String)> = joined.iter().map(|(_, text)| code(control, text)).collect();
     let programs: Vec<String> = codes.iter().filter_map(|(_, code)| program(control, code)).collect();
     for ((number, text), (label, code)) in joined.into_iter().zip(codes) {
@@ -117,14 +117,14 @@ pub(super) fn lines(control: Control, joined: Vec<(usize, String)>, variables: &
         }
         let bare = code.is_empty() && label.is_some();
         statement = if bare && statement == Statement::Block { Statement::Nothing } else { statement };
-        lines.push(Line { number, text, label, code, statement });
+        lines.push(FlowLine { number, text, label, code, statement });
     }
     lines
 }
 
 /// Whether the last loop of this label is a DO that has not ended.
-fn is_end_of_do(lines: &[Line], label: &Option<String>) -> bool {
-    let of_loop = |line: &&Line| {
+fn is_end_of_do(lines: &[FlowLine], label: &Option<String>) -> bool {
+    let of_loop = |line: &&FlowLine| {
         line.label == *label
             && matches!(line.statement, Statement::Loop | Statement::EndLoop | Statement::EndLoopIf(..))
     };

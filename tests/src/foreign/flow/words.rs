@@ -152,7 +152,7 @@ fn heidenhain_word(variables: &Variables, piece: &str) -> Result<(String, bool),
     let Some(start) = start else { return Ok((piece.to_owned(), false)) };
     let signed = piece[..start].ends_with(['+', '-']);
     let begins = if signed { start - 1 } else { start };
-    let mut reader = super::Reader { control: Heidenhain, text: &piece[begins..], variables };
+    let mut reader = super::ValueReader { control: Heidenhain, text: &piece[begins..], variables };
     let value = written(reader.primary()?);
     let sign = if value.starts_with('-') { "" } else { "+" };
     Ok((format!("{}{sign}{}", &piece[..begins], value.trim_end_matches('.')), true))

@@ -1,6 +1,6 @@
 //! Lines of a Heidenhain conversational program: a number, then words between blanks.
 
-use super::super::meaning::Counting;
+use super::super::meaning::NumberCounting;
 use super::{Content, Line, Mark, Number, Token};
 
 pub(super) fn line(text: &str) -> Result<Line, String> {
@@ -45,15 +45,15 @@ fn token(piece: &str) -> Token {
     if let Some((name, value)) = piece.split_once('=')
         && let Some((number, "")) = Number::take(value)
     {
-        return Token::Word { name: name.to_owned(), number, counting: Counting::AsInForce };
+        return Token::Word { name: name.to_owned(), number, counting: NumberCounting::AsInForce };
     }
     let letters = piece.bytes().take_while(u8::is_ascii_uppercase).count();
     if letters > 0
         && let Some((number, "")) = Number::take(&piece[letters..])
     {
         let (counting, name) = match piece[..letters].strip_prefix('I') {
-            Some(name) if !name.is_empty() => (Counting::Incremental, name),
-            _ => (Counting::AsInForce, &piece[..letters]),
+            Some(name) if !name.is_empty() => (NumberCounting::Incremental, name),
+            _ => (NumberCounting::AsInForce, &piece[..letters]),
         };
         return Token::Word { name: name.to_owned(), number, counting };
     }

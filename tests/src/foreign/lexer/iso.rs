@@ -1,7 +1,7 @@
 //! Lines of LinuxCNC, Fanuc and Haas: letters and numbers.
 
 use super::super::Control;
-use super::super::meaning::Counting;
+use super::super::meaning::NumberCounting;
 use super::{Content, Line, Mark, Number, Token, take_number};
 
 const EMPTY: &str = "an empty line";
@@ -99,7 +99,7 @@ fn tokens(mut text: &str) -> Result<Vec<Token>, String> {
         }
         let word = Number::take(text[1..].trim_start()).filter(|_| letter.is_ascii_uppercase());
         let (number, rest) = word.ok_or_else(|| format!("`{text}` does not begin with a word"))?;
-        tokens.push(Token::Word { name: letter.to_string(), number, counting: Counting::AsInForce });
+        tokens.push(Token::Word { name: letter.to_string(), number, counting: NumberCounting::AsInForce });
         text = rest;
     }
     if tokens.is_empty() { Err(EMPTY.to_owned()) } else { Ok(tokens) }

@@ -10,7 +10,7 @@ mod siemens;
 pub mod tidy;
 
 use super::Control;
-use super::meaning::Counting;
+use super::meaning::NumberCounting;
 
 pub use number::Number;
 
@@ -61,7 +61,7 @@ pub enum Token {
         /// Number.
         number: Number,
         /// `AC()` and `IC()`.
-        counting: Counting,
+        counting: NumberCounting,
     },
     /// A number alone: `TOOL CALL 1`.
     Number(Number),

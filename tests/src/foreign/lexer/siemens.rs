@@ -1,6 +1,6 @@
 //! Lines of a Siemens 840D: words with and without `=`, names, calls with arguments.
 
-use super::super::meaning::Counting;
+use super::super::meaning::NumberCounting;
 use super::{Content, Line, Mark, Number, Token, take_number};
 
 pub(super) fn line(text: &str) -> Result<Line, String> {
@@ -52,7 +52,7 @@ fn tokens(mut text: &str) -> Result<Vec<Token>, String> {
             text = &inside[end + 1..];
         } else if letters == 1 {
             let (number, rest) = Number::take(text[1..].trim_start()).ok_or_else(strange)?;
-            tokens.push(Token::Word { name: text[..1].to_owned(), number, counting: Counting::AsInForce });
+            tokens.push(Token::Word { name: text[..1].to_owned(), number, counting: NumberCounting::AsInForce });
             text = rest;
         } else if name == letters && (after.is_empty() || after.starts_with(' ')) {
             tokens.push(Token::Name(text[..name].to_owned()));
@@ -65,13 +65,13 @@ fn tokens(mut text: &str) -> Result<Vec<Token>, String> {
 }
 
 /// `5`, `AC(5)`, `DC(5)`, `IC(5)`.
-fn value_of(text: &str) -> Option<(Number, Counting, &str)> {
+fn value_of(text: &str) -> Option<(Number, NumberCounting, &str)> {
     // DC is absolute, by the shorter way.
     let absolute = text.strip_prefix("AC(").or_else(|| text.strip_prefix("DC("));
     let (counting, inside) = match (absolute, text.strip_prefix("IC(")) {
-        (Some(inside), _) => (Counting::Absolute, inside),
-        (_, Some(inside)) => (Counting::Incremental, inside),
-        _ => return Number::take(text).map(|(number, rest)| (number, Counting::AsInForce, rest)),
+        (Some(inside), _) => (NumberCounting::Absolute, inside),
+        (_, Some(inside)) => (NumberCounting::Incremental, inside),
+        _ => return Number::take(text).map(|(number, rest)| (number, NumberCounting::AsInForce, rest)),
     };
     let (number, rest) = Number::take(inside)?;
     Some((number, counting, rest.strip_prefix(')')?))

@@ -2,7 +2,7 @@
 
 use super::super::Control;
 use super::super::axes::LETTERS;
-use super::super::meaning::{Address, Command, Counting};
+use super::super::meaning::{Address, Command, NumberCounting};
 use super::super::state::{Distance, Plane};
 use super::super::trace::Arc;
 use super::{Machine, modes};
@@ -93,7 +93,7 @@ fn centre(command: &mut Command, plane: Plane, start: [f64; 2], absolute: bool) 
     let mut centre = start;
     for (place, word) in centre.iter_mut().zip(words) {
         match word {
-            Some(word) if absolute || word.counting == Counting::Absolute => *place = word.value,
+            Some(word) if absolute || word.counting == NumberCounting::Absolute => *place = word.value,
             Some(word) => *place += word.value,
             None => {}
         }

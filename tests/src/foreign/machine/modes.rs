@@ -243,7 +243,7 @@ impl Machine {
         self.state.pole = [None; 3];
         for (place, letter) in self.state.pole.iter_mut().zip(['X', 'Y', 'Z']) {
             if let Some(word) = command.take_counted(Address::Axis(letter)) {
-                if word.counting != super::super::meaning::Counting::AsInForce {
+                if word.counting != super::super::meaning::NumberCounting::AsInForce {
                     return Err("a pole by its distance".to_owned());
                 }
                 *place = Some(word.value);

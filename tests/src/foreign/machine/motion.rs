@@ -2,7 +2,7 @@
 
 use super::super::Control;
 use super::super::axes::{Axes, LETTERS, is_rotary};
-use super::super::meaning::{Address, Command, Counting, Meaning};
+use super::super::meaning::{Address, Command, Meaning, NumberCounting};
 use super::super::state::{Distance, MotionMode};
 use super::super::trace::Effect;
 use super::{Machine, arc, hole};
@@ -122,11 +122,11 @@ impl Machine {
     }
 
     /// Position that a word means.
-    pub(super) fn value_of(&self, letter: char, value: f64, counting: Counting) -> Result<f64, String> {
+    pub(super) fn value_of(&self, letter: char, value: f64, counting: NumberCounting) -> Result<f64, String> {
         let incremental = match counting {
-            Counting::Absolute => false,
-            Counting::Incremental => true,
-            Counting::AsInForce => match self.state.distance {
+            NumberCounting::Absolute => false,
+            NumberCounting::Incremental => true,
+            NumberCounting::AsInForce => match self.state.distance {
                 Some(distance) => distance == Distance::Incremental,
                 None => return Err("neither absolute nor incremental dimensions are in force".to_owned()),
             },
@@ -161,7 +161,7 @@ impl Machine {
         let mut moved = Axes::default();
         for letter in LETTERS {
             if let Some(word) = command.take_counted(Address::Axis(letter)) {
-                if word.counting == Counting::Incremental {
+                if word.counting == NumberCounting::Incremental {
                     return Err("machine coordinates by their distance".to_owned());
                 }
                 moved.set(letter, word.value);

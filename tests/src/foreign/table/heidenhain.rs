@@ -5,7 +5,7 @@
 //! the plane.
 
 use super::super::lexer::{Number, Token};
-use super::super::meaning::{Address, Command, Counting, Meaning, Supply};
+use super::super::meaning::{Address, Command, Meaning, NumberCounting, Supply};
 use super::super::state::{
     Compensation, Cycle, CycleKind, Interpolation, MotionMode, Plane, RotaryPath, Spindle, State, TiltedPlane,
     WorkOffset,
@@ -125,9 +125,9 @@ fn words(command: &mut Command, tokens: &[Token]) -> Result<(), String> {
     Ok(())
 }
 
-fn word(command: &mut Command, name: &str, number: Number, counting: Counting) -> Result<(), String> {
+fn word(command: &mut Command, name: &str, number: Number, counting: NumberCounting) -> Result<(), String> {
     let Number { value, point } = number;
-    let absolute = counting == Counting::AsInForce;
+    let absolute = counting == NumberCounting::AsInForce;
     let address = match name {
         "X" | "Y" | "Z" | "U" | "V" | "W" | "A" | "B" | "C" => {
             return command.counted(Address::Axis(name.chars().next().unwrap_or_default()), value, counting);

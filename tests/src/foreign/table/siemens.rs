@@ -4,7 +4,7 @@
 //! follows, `MCALL` alone ends that; `CYCLE8x(..)` makes it where the tool is.
 
 use super::super::lexer::Token;
-use super::super::meaning::{Address, Command, Counting, Meaning, Supply};
+use super::super::meaning::{Address, Command, Meaning, NumberCounting, Supply};
 use super::super::state::{
     Compensation, Cycle, CycleKind, Distance, FeedMode, Interpolation, LeftOn, MotionMode, Plane, SMOOTHING, Spindle,
     State, TiltedPlane, Units, VectorFrame, WorkOffset,
@@ -12,10 +12,10 @@ use super::super::state::{
 use super::{geometry, others};
 
 /// A code and its meaning.
-type Row = (u32, Meaning);
+type SiemensRow = (u32, Meaning);
 
 #[rustfmt::skip]
-static G: &[Row] = &[
+static G: &[SiemensRow] = &[
     (0, Meaning::Motion(MotionMode::Rapid)),
     (1, Meaning::Motion(MotionMode::Feed)),
     (2, Meaning::Motion(MotionMode::Clockwise)),
@@ -39,7 +39,7 @@ static G: &[Row] = &[
 ];
 
 #[rustfmt::skip]
-static M: &[Row] = &[
+static M: &[SiemensRow] = &[
     (0, Meaning::Stop),
     (1, Meaning::OptionalStop),
     (3, Meaning::Spindle(Spindle::Clockwise)),
@@ -95,7 +95,7 @@ pub(super) fn command(tokens: &[Token], state: &State) -> Result<Command, String
     Ok(command)
 }
 
-fn word(command: &mut Command, name: &str, value: f64, counting: Counting) -> Result<(), String> {
+fn word(command: &mut Command, name: &str, value: f64, counting: NumberCounting) -> Result<(), String> {
     let address = match name {
         "G" | "M" => {
             let known = meaning(if name == "G" { G } else { M }, name == "G", value);
@@ -130,7 +130,7 @@ fn word(command: &mut Command, name: &str, value: f64, counting: Counting) -> Re
     command.word(address, value)
 }
 
-fn meaning(table: &[Row], g: bool, value: f64) -> Option<Meaning> {
+fn meaning(table: &[SiemensRow], g: bool, value: f64) -> Option<Meaning> {
     let code = super::super::meaning::whole(value).ok().filter(|_| value.is_sign_positive())?;
     if g && matches!(code, 54..=57 | 505..=599) {
         return Some(Meaning::WorkOffset(WorkOffset::Code(code * 10)));

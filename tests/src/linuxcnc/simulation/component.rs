@@ -31,7 +31,7 @@ pub struct Rotation {
 
 /// A table of two rotary axes: C carries the workpiece, B carries C.
 #[derive(Debug, Clone, Copy)]
-pub struct Table {
+pub struct RotaryTable {
     /// Rotation by B.
     pub b: Rotation,
     /// Rotation by C, with B at zero.
@@ -68,7 +68,7 @@ fn namespace() -> Vec<&'static str> {
 }
 
 /// Compiles the component into a folder.
-pub(super) fn compile(table: &Table, folder: &Path) -> io::Result<()> {
+pub(super) fn compile(table: &RotaryTable, folder: &Path) -> io::Result<()> {
     let source = folder.join("table.c");
     std::fs::write(&source, include_str!("table.c"))?;
     let mut command = Command::new("cc");

@@ -14,7 +14,7 @@ use std::path::Path;
 use pp_runtime::transformation::linuxcnc::ModuleFile;
 
 use super::super::module;
-use super::component::{self, Table};
+use super::component::{self, RotaryTable};
 
 /// Cycle of the servo thread, s: a quarter of the usual one. Each block waits for some cycles, so a program takes a quarter of the
 /// time; the task has the same cycle, so that it follows.
@@ -65,7 +65,7 @@ pub enum Kinematics {
     /// A module of LinuxCNC, which must be switchable and have a pin `tool-offset`; its other pins and their values.
     Module(&'static str, Vec<(&'static str, f64)>),
     /// A component compiled for one machine, with joints X Y Z B C.
-    Component(Table),
+    Component(RotaryTable),
     /// A generated module with its configuration.
     Generated(Vec<ModuleFile>),
 }
@@ -83,7 +83,7 @@ pub struct Tool {
 
 /// A machine on the simulated control. mm and degrees.
 #[derive(Debug, Clone)]
-pub struct Control {
+pub struct SimulatedControl {
     /// Its kinematics.
     pub kinematics: Kinematics,
     /// Axis letters in the order of the joints.
@@ -100,7 +100,7 @@ pub struct Control {
     pub feed_override: u32,
 }
 
-impl Control {
+impl SimulatedControl {
     /// Writes all files into a folder. `port`: TCP port of the control's shell.
     pub(super) fn write(&self, folder: &Path, port: u16) -> io::Result<()> {
         let write = |name: &str, text: String| fs::write(folder.join(name), text);

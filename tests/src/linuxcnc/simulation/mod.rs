@@ -19,8 +19,8 @@ use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
 
-pub use component::{Rotation, Table, can_be_loaded};
-pub use configuration::{Control, Kinematics, SERVO_PERIOD, SPINDLE_SCALE, Tool};
+pub use component::{RotaryTable, Rotation, can_be_loaded};
+pub use configuration::{Kinematics, SERVO_PERIOD, SPINDLE_SCALE, SimulatedControl, Tool};
 pub use marks::{MarkKinematics, Reached};
 use marks::{Samples, marked};
 use shell::Shell;
@@ -61,7 +61,7 @@ impl Simulation {
     ///
     /// # Errors
     /// Reason why it does not start, with the output of LinuxCNC.
-    pub fn start(control: &Control) -> Result<Self, String> {
+    pub fn start(control: &SimulatedControl) -> Result<Self, String> {
         let alone = alone().map_err(|error| format!("cannot wait for the control: {error}"))?;
         let folder = TempDir::new().map_err(|error| error.to_string())?;
         let port = free_port().map_err(|error| error.to_string())?;

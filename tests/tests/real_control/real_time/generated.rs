@@ -12,7 +12,7 @@ use pp_runtime::nalgebra;
 use pp_runtime::transformation::linuxcnc::files;
 use tests::linuxcnc::can_be_simulated;
 use tests::linuxcnc::module::can_be_compiled;
-use tests::linuxcnc::simulation::{Control, Kinematics, Reached, SERVO_PERIOD, Simulation, can_be_loaded};
+use tests::linuxcnc::simulation::{Kinematics, Reached, SERVO_PERIOD, SimulatedControl, Simulation, can_be_loaded};
 use tests::oracle::{Oracle, angle_between};
 
 use super::kinematics::{
@@ -76,13 +76,13 @@ machine! {
 const LETTERS: &str = "XYZABCUVW";
 
 /// The control with the module of `Module`.
-fn control<Module: Machine>(letters: &'static str) -> Control {
+fn control<Module: Machine>(letters: &'static str) -> SimulatedControl {
     let mut config = set_up(Mode::Tcp);
     // Fast, so that a test need not wait.
     config.set_up.speeds = Module::AXES.iter().map(|axis| (axis.letter, 6e6)).collect();
     let machine = config.set_up.machine::<Module>().expect("valid");
     let files = files(&machine, &config).expect("LinuxCNC can express it");
-    Control {
+    SimulatedControl {
         kinematics: Kinematics::Generated(files),
         letters,
         work_offsets: vec![WORK_OFFSET],
@@ -188,8 +188,8 @@ fn joints_keep_their_speeds_under_tip_control() {
     config.control.safety = Some(vec![exact]);
     let machine = config.set_up.machine::<Nutating>().expect("valid");
     let files = files(&machine, &config).expect("LinuxCNC can express it");
-    let faster = Control { kinematics: Kinematics::Generated(files), ..control::<Nutating>("XYZBC") };
-    let faster = Control { feed_override: 100 * FASTER as u32, ..faster };
+    let faster = SimulatedControl { kinematics: Kinematics::Generated(files), ..control::<Nutating>("XYZBC") };
+    let faster = SimulatedControl { feed_override: 100 * FASTER as u32, ..faster };
     let mut simulation = Simulation::start(&faster).unwrap_or_else(|error| panic!("{error}"));
     config.set_up.speeds = speeds(1.0);
     // Of the speed, over one servo cycle: the sampler has six decimals. With the line and the axis.

@@ -22,7 +22,7 @@ use pp_runtime::nalgebra;
 use pp_runtime::post::{Job, post};
 use tests::block::distance_to_line;
 use tests::linuxcnc::can_be_simulated;
-use tests::linuxcnc::simulation::{Control, Kinematics, MarkKinematics, Reached, Simulation, Tool};
+use tests::linuxcnc::simulation::{Kinematics, MarkKinematics, Reached, SimulatedControl, Simulation, Tool};
 use tests::oracle::angle_between;
 
 use super::sweep::{cl_data, passes};
@@ -108,7 +108,7 @@ pub(crate) fn set_up(mode: Mode) -> Config {
 }
 
 /// The control of a machine, with the declared centre lines in machine coordinates.
-fn control<M: Machine>(kinematics: &'static str, letters: &'static str) -> Control {
+fn control<M: Machine>(kinematics: &'static str, letters: &'static str) -> SimulatedControl {
     let machine = set_up(Mode::Axes).set_up.machine::<M>().expect("valid");
     let index = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter).expect("an axis of the chain");
     let centre = |letter: char| machine.joint(index(letter)).point.coords + Vector3::from(WORK_OFFSET);
@@ -126,7 +126,7 @@ fn control<M: Machine>(kinematics: &'static str, letters: &'static str) -> Contr
         }
     };
     let travel = letters.chars().map(travel).collect();
-    Control {
+    SimulatedControl {
         kinematics: Kinematics::Module(kinematics, pins),
         letters,
         work_offsets: vec![WORK_OFFSET],

@@ -2,7 +2,7 @@
 //!
 //! A value is known where it follows from numbers of the program. What a control, a probe or a clock gives is not.
 
-use super::super::facts::Form;
+use super::super::facts::LineForm;
 use super::super::text::Cursor;
 use super::variables::Variables;
 
@@ -59,7 +59,7 @@ impl<'e, 'a> Expression<'e, 'a> {
     /// bits, before they add; LinuxCNC what is true, after it has compared.
     fn is_alike(&self, value: Value) -> bool {
         let is_logical = |value: f64| value.abs() < EQUAL || (value - 1.0).abs() < EQUAL;
-        self.variables.form() != Form::Letters || self.single && value.is_none_or(is_logical)
+        self.variables.form() != LineForm::Letters || self.single && value.is_none_or(is_logical)
     }
 
     fn comparison(&mut self) -> Parsed {
@@ -98,7 +98,7 @@ impl<'e, 'a> Expression<'e, 'a> {
             let times = !modulo && self.sign(b'*');
             let sign = !modulo && !times && self.sign(b'/');
             let divided = sign || !modulo && !times && self.operator(&["DIV"]);
-            let whole = self.variables.form() == Form::Keywords;
+            let whole = self.variables.form() == LineForm::Keywords;
             if !modulo && !times && !divided {
                 return Some(value);
             }
@@ -200,7 +200,7 @@ impl<'e, 'a> Expression<'e, 'a> {
         self.at.blanks();
         match self.at.peek()? {
             b'[' | b'(' => self.brackets(),
-            _ if self.variables.form() == Form::Statements => self.signed(),
+            _ if self.variables.form() == LineForm::Statements => self.signed(),
             _ => None,
         }
     }
@@ -209,20 +209,20 @@ impl<'e, 'a> Expression<'e, 'a> {
     fn arc_tangent(&mut self) -> Parsed {
         self.at.blanks();
         match self.variables.form() {
-            Form::Letters => {
+            LineForm::Letters => {
                 let y = self.brackets()?;
                 self.sign(b'/').then_some(())?;
                 let x = self.brackets()?;
                 Some(self.angle(y.zip(x).map(|(y, x)| y.atan2(x).to_degrees())))
             }
-            Form::Keywords => {
+            LineForm::Keywords => {
                 self.at.take(b'(').then_some(())?;
                 let y = self.sum()?;
                 self.sign(b',').then_some(())?;
                 let x = self.sum()?;
                 self.sign(b')').then_some(y.zip(x).map(|(y, x)| y.atan2(x).to_degrees()))
             }
-            Form::Statements => Some(self.argument()?.map(|value| value.atan().to_degrees())),
+            LineForm::Statements => Some(self.argument()?.map(|value| value.atan().to_degrees())),
         }
     }
 

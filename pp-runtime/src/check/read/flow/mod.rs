@@ -12,11 +12,11 @@ mod variables;
 
 use std::io;
 
-use super::Pieces;
-use super::facts::{Facts, Form};
+use super::TextPieces;
+use super::facts::{Facts, LineForm};
 use super::lines::{LineKind, Lines};
 use expression::Value;
-use statement::{Label, Statement, has_label, parse};
+use statement::{FlowStatement, Label, has_label, parse};
 use variables::{Variable, Variables};
 
 /// Most lines that are read again: more are taken for a loop without an end.
@@ -71,7 +71,7 @@ enum FrameKind {
 /// Statements of a program while it is executed.
 #[derive(Debug)]
 pub(super) struct Flow {
-    form: Form,
+    form: LineForm,
     variables: Variables,
     frames: Vec<Frame>,
     /// Labels of subprograms that have been called.
@@ -98,7 +98,7 @@ impl Flow {
     }
 
     /// Takes a line: carries out a statement, or puts the block with its numbers into `text`.
-    pub(super) fn take<P: Pieces>(
+    pub(super) fn take<P: TextPieces>(
         &mut self,
         line: &[u8],
         kind: LineKind,
@@ -140,22 +140,22 @@ impl Flow {
         let begins = self.called.iter().any(|label| has_label(line, label, self.form));
         self.in_subprogram |= begins;
         let inside = self.in_subprogram;
-        if parse(line, &self.variables) == Some(Statement::Return) {
+        if parse(line, &self.variables) == Some(FlowStatement::Return) {
             self.in_subprogram = false;
         }
         if inside { Taken::Done } else { Taken::Block }
     }
 
     /// Whether a statement is for the family: what a probe or a clock decides, and the end of a guard.
-    fn is_for_family(&self, statement: &Statement) -> bool {
+    fn is_for_family(&self, statement: &FlowStatement) -> bool {
         match statement {
-            Statement::If(value, _)
-            | Statement::While(value, _)
-            | Statement::Jump(value, _)
-            | Statement::Until(value, _)
-            | Statement::Repeat(value, _) => value.is_none(),
-            Statement::For(_, from, to, _) => from.is_none() || to.is_none(),
-            Statement::EndIf(label) => !matches!(self.innermost(label), Some(FrameKind::If)),
+            FlowStatement::If(value, _)
+            | FlowStatement::While(value, _)
+            | FlowStatement::Jump(value, _)
+            | FlowStatement::Until(value, _)
+            | FlowStatement::Repeat(value, _) => value.is_none(),
+            FlowStatement::For(_, from, to, _) => from.is_none() || to.is_none(),
+            FlowStatement::EndIf(label) => !matches!(self.innermost(label), Some(FrameKind::If)),
             _ => false,
         }
     }
@@ -165,12 +165,18 @@ impl Flow {
         self.frames.last().filter(|frame| frame.label == *label).map(|frame| &frame.kind)
     }
 
-    fn execute<P: Pieces>(&mut self, statement: Statement, place: usize, lines: &mut Lines<P>) -> io::Result<Taken> {
+    fn execute<P: TextPieces>(
+        &mut self,
+        statement: FlowStatement,
+        place: usize,
+        lines: &mut Lines<P>,
+    ) -> io::Result<Taken> {
         let next = place + 1;
         match statement {
-            Statement::Assign(assigned) => {
+            FlowStatement::Assign(assigned) => {
                 for (variable, value) in assigned {
-                    if variable.first().is_some_and(|first| first.is_ascii_alphabetic()) && self.form == Form::Keywords
+                    if variable.first().is_some_and(|first| first.is_ascii_alphabetic())
+                        && self.form == LineForm::Keywords
                     {
                         self.variables.define(variable.clone());
                     }
@@ -179,7 +185,7 @@ impl Flow {
                     }
                 }
             }
-            Statement::If(condition, label) => {
+            FlowStatement::If(condition, label) => {
                 if condition != Some(0.0) {
                     return Ok(self.push(label, FrameKind::If, next));
                 }
@@ -189,14 +195,14 @@ impl Flow {
                         lines.go_to(at + 1);
                         let has_else = matches!(
                             lines.kept(at).and_then(|line| parse(line, &self.variables)),
-                            Some(Statement::Else(_))
+                            Some(FlowStatement::Else(_))
                         );
                         Ok(if has_else { self.push(label, FrameKind::If, at + 1) } else { Taken::Done })
                     }
                     None => Ok(Taken::Refused("the end of this condition is not in the program".to_owned())),
                 };
             }
-            Statement::Else(label) => {
+            FlowStatement::Else(label) => {
                 let ends = matches!(self.innermost(&label), Some(FrameKind::If));
                 self.frames.pop();
                 if !ends {
@@ -204,12 +210,12 @@ impl Flow {
                 }
                 return self.skip_to_end(lines, next, &label);
             }
-            Statement::EndIf(_) => _ = self.frames.pop(),
-            Statement::Do(label) => return Ok(self.push(label, FrameKind::Do, next)),
-            Statement::Until(condition, label) => {
+            FlowStatement::EndIf(_) => _ = self.frames.pop(),
+            FlowStatement::Do(label) => return Ok(self.push(label, FrameKind::Do, next)),
+            FlowStatement::Until(condition, label) => {
                 return Ok(self.end_of_round(&label, Some(condition == Some(0.0)), lines));
             }
-            Statement::While(condition, label) => {
+            FlowStatement::While(condition, label) => {
                 if matches!(self.innermost(&label), Some(FrameKind::Do)) {
                     return Ok(self.end_of_round(&label, Some(condition != Some(0.0)), lines));
                 }
@@ -218,14 +224,14 @@ impl Flow {
                 }
                 return Ok(self.push(label, FrameKind::While, place));
             }
-            Statement::Repeat(times, label) => {
+            FlowStatement::Repeat(times, label) => {
                 let times = times.map_or(0, |times| times.max(0.0) as u32);
                 if times == 0 {
                     return self.skip_to_end(lines, next, &label);
                 }
                 return Ok(self.push(label, FrameKind::Repeat(times - 1), next));
             }
-            Statement::For(variable, from, to, label) => {
+            FlowStatement::For(variable, from, to, label) => {
                 let (Some(first), Some(to)) = (from, to) else { return Ok(Taken::Block) };
                 self.variables.set(variable.clone(), from);
                 if first > to {
@@ -233,16 +239,16 @@ impl Flow {
                 }
                 return Ok(self.push(label, FrameKind::For(variable, to), next));
             }
-            Statement::EndLoop(label) => return Ok(self.end_of_round(&label, None, lines)),
-            Statement::Jump(condition, label) => {
+            FlowStatement::EndLoop(label) => return Ok(self.end_of_round(&label, None, lines)),
+            FlowStatement::Jump(condition, label) => {
                 if condition != Some(0.0) {
                     return self.jump(&label, next, lines);
                 }
             }
-            Statement::Label => {}
-            Statement::Sub(label) => {
+            FlowStatement::Label => {}
+            FlowStatement::Sub(label) => {
                 let ends = |line: &[u8], variables: &Variables| {
-                    parse(line, variables) == Some(Statement::EndSub(label.clone()))
+                    parse(line, variables) == Some(FlowStatement::EndSub(label.clone()))
                 };
                 match lines.find(next, |line| ends(line, &self.variables))? {
                     Some(at) => {
@@ -252,9 +258,9 @@ impl Flow {
                     None => return Ok(Taken::Refused("the end of this subprogram is not in the program".to_owned())),
                 }
             }
-            Statement::EndSub(_) | Statement::Return => return Ok(self.come_back(lines)),
-            Statement::Call(label, times, arguments) => return self.call(label, times, arguments, next, lines),
-            Statement::RepeatFrom(label, times) => return self.repeat_from(label, times, place, lines),
+            FlowStatement::EndSub(_) | FlowStatement::Return => return Ok(self.come_back(lines)),
+            FlowStatement::Call(label, times, arguments) => return self.call(label, times, arguments, next, lines),
+            FlowStatement::RepeatFrom(label, times) => return self.repeat_from(label, times, place, lines),
         }
         Ok(Taken::Done)
     }
@@ -269,7 +275,7 @@ impl Flow {
     }
 
     /// Place of the end of a construct that begins before a place: of its ELSE, too, if that counts.
-    fn find_end<P: Pieces>(
+    fn find_end<P: TextPieces>(
         &self,
         lines: &mut Lines<P>,
         from: usize,
@@ -281,15 +287,15 @@ impl Flow {
             let Some(statement) = parse(line, &self.variables) else { return false };
             let of_label = |of: &Label| of == label;
             match &statement {
-                Statement::If(_, of)
-                | Statement::While(_, of)
-                | Statement::Repeat(_, of)
-                | Statement::For(_, _, _, of) => {
+                FlowStatement::If(_, of)
+                | FlowStatement::While(_, of)
+                | FlowStatement::Repeat(_, of)
+                | FlowStatement::For(_, _, _, of) => {
                     depth += usize::from(of_label(of));
                     false
                 }
-                Statement::Else(of) => or_else && depth == 0 && of_label(of),
-                Statement::EndIf(of) | Statement::EndLoop(of) if of_label(of) => {
+                FlowStatement::Else(of) => or_else && depth == 0 && of_label(of),
+                FlowStatement::EndIf(of) | FlowStatement::EndLoop(of) if of_label(of) => {
                     let ends = depth == 0;
                     depth = depth.saturating_sub(1);
                     ends
@@ -300,7 +306,7 @@ impl Flow {
     }
 
     /// Goes to the line after the end of a construct.
-    fn skip_to_end<P: Pieces>(&mut self, lines: &mut Lines<P>, from: usize, label: &Label) -> io::Result<Taken> {
+    fn skip_to_end<P: TextPieces>(&mut self, lines: &mut Lines<P>, from: usize, label: &Label) -> io::Result<Taken> {
         Ok(match self.find_end(lines, from, label, false)? {
             Some(at) => {
                 lines.go_to(at + 1);
@@ -311,7 +317,7 @@ impl Flow {
     }
 
     /// The end of a loop: another round, or what follows. `again`: what its condition says, if that is at its end.
-    fn end_of_round<P: Pieces>(&mut self, label: &Label, again: Option<bool>, lines: &mut Lines<P>) -> Taken {
+    fn end_of_round<P: TextPieces>(&mut self, label: &Label, again: Option<bool>, lines: &mut Lines<P>) -> Taken {
         let Some(frame) = self.frames.last_mut().filter(|frame| frame.label == *label) else {
             return Taken::Refused("the end of a loop that has not begun".to_owned());
         };
@@ -347,13 +353,13 @@ impl Flow {
     }
 
     /// Goes to a place.
-    fn lead<P: Pieces>(&mut self, lines: &mut Lines<P>, place: usize) -> Taken {
+    fn lead<P: TextPieces>(&mut self, lines: &mut Lines<P>, place: usize) -> Taken {
         lines.go_to(place);
         Taken::Done
     }
 
     /// Place of a label, looked for from a line on and then from the first that is kept.
-    fn place_of<P: Pieces>(&self, label: &Label, from: usize, lines: &mut Lines<P>) -> io::Result<Option<usize>> {
+    fn place_of<P: TextPieces>(&self, label: &Label, from: usize, lines: &mut Lines<P>) -> io::Result<Option<usize>> {
         let form = self.form;
         let after = lines.find(from, |line| has_label(line, label, form))?;
         match after {
@@ -362,7 +368,7 @@ impl Flow {
         }
     }
 
-    fn jump<P: Pieces>(&mut self, label: &Label, from: usize, lines: &mut Lines<P>) -> io::Result<Taken> {
+    fn jump<P: TextPieces>(&mut self, label: &Label, from: usize, lines: &mut Lines<P>) -> io::Result<Taken> {
         // A jump out of loops and conditions ends them.
         while self
             .frames
@@ -381,7 +387,7 @@ impl Flow {
     }
 
     /// A subprogram of this program; a call of another is for the family.
-    fn call<P: Pieces>(
+    fn call<P: TextPieces>(
         &mut self,
         label: Label,
         times: u32,
@@ -391,9 +397,9 @@ impl Flow {
     ) -> io::Result<Taken> {
         let form = self.form;
         let is_sub = |line: &[u8], variables: &Variables| match form {
-            Form::Letters if has_label(line, &label, form) => true,
-            Form::Letters => parse(line, variables) == Some(Statement::Sub(label.clone())),
-            Form::Keywords | Form::Statements => has_label(line, &label, form),
+            LineForm::Letters if has_label(line, &label, form) => true,
+            LineForm::Letters => parse(line, variables) == Some(FlowStatement::Sub(label.clone())),
+            LineForm::Keywords | LineForm::Statements => has_label(line, &label, form),
         };
         let place = match lines.find_kept(|line| is_sub(line, &self.variables)) {
             Some(place) => Some(place),
@@ -421,7 +427,7 @@ impl Flow {
             Box::new(caller)
         });
         // A block number is that of the first block; a name is on a line of its own.
-        let is_block = form == Form::Letters
+        let is_block = form == LineForm::Letters
             && !label.starts_with(b"O")
             && lines.kept(place).is_some_and(|line| parse(line, &self.variables).is_none());
         let first = place + usize::from(!is_block);
@@ -430,7 +436,7 @@ impl Flow {
     }
 
     /// The end of a subprogram.
-    fn come_back<P: Pieces>(&mut self, lines: &mut Lines<P>) -> Taken {
+    fn come_back<P: TextPieces>(&mut self, lines: &mut Lines<P>) -> Taken {
         while let Some(frame) = self.frames.last_mut() {
             let place = frame.place;
             match &mut frame.kind {
@@ -451,15 +457,15 @@ impl Flow {
         }
         match self.form {
             // LBL 0 outside a subprogram is the end of a section.
-            Form::Statements => Taken::Done,
-            Form::Letters | Form::Keywords => {
+            LineForm::Statements => Taken::Done,
+            LineForm::Letters | LineForm::Keywords => {
                 Taken::Refused("the end of a subprogram, and none has been called: the program begins again".to_owned())
             }
         }
     }
 
     /// `CALL LBL 1 REP 2`: the lines from the label to here, twice more.
-    fn repeat_from<P: Pieces>(
+    fn repeat_from<P: TextPieces>(
         &mut self,
         label: Label,
         times: u32,

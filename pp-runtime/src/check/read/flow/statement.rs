@@ -1,6 +1,6 @@
 //! Statements that are no blocks: assignments, conditions, loops, jumps, subprograms, in the words of each form.
 
-use super::super::facts::Form;
+use super::super::facts::LineForm;
 use super::super::text::{Cursor, whole};
 use super::expression::{Expression, Value};
 use super::variables::{Variable, Variables};
@@ -10,7 +10,7 @@ pub(super) type Label = Vec<u8>;
 
 /// A statement.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Statement {
+pub(super) enum FlowStatement {
     Assign(Vec<(Variable, Value)>),
     /// The lines up to [`Else`](Self::Else) or [`EndIf`](Self::EndIf) are executed if it holds.
     If(Value, Label),
@@ -65,34 +65,34 @@ const ARGUMENTS: [(u8, u32); 21] = [
 ];
 
 /// The text of a line without its number, blanks and what follows a comment.
-pub(super) fn bare(line: &[u8], form: Form) -> &[u8] {
+pub(super) fn bare(line: &[u8], form: LineForm) -> &[u8] {
     let line = line.trim_ascii();
     let line = line.strip_prefix(b"/").unwrap_or(line).trim_ascii_start();
     let digits = |text: &[u8]| text.iter().take_while(|byte| byte.is_ascii_digit()).count();
     match (form, line) {
-        (Form::Statements, _) => line[digits(line)..].trim_ascii_start(),
+        (LineForm::Statements, _) => line[digits(line)..].trim_ascii_start(),
         (_, [b'N' | b'n', rest @ ..]) if digits(rest) > 0 => rest[digits(rest)..].trim_ascii_start(),
         _ => line,
     }
 }
 
 /// The statement that a line is; `None` if it is a block, or no statement that is understood.
-pub(super) fn parse(line: &[u8], variables: &Variables) -> Option<Statement> {
+pub(super) fn parse(line: &[u8], variables: &Variables) -> Option<FlowStatement> {
     let mut at = Cursor::new(bare(line, variables.form()));
     let statement = match variables.form() {
-        Form::Letters => letters(&mut at, variables),
-        Form::Keywords => keywords(&mut at, variables),
-        Form::Statements => conversational(&mut at, variables),
+        LineForm::Letters => letters(&mut at, variables),
+        LineForm::Keywords => keywords(&mut at, variables),
+        LineForm::Statements => conversational(&mut at, variables),
     }?;
     let ended = at.ended() || matches!(at.peek(), Some(b'(' | b';'));
     ended.then_some(statement)
 }
 
 /// Whether a line has a label, which is the number of its block or its name.
-pub(super) fn has_label(line: &[u8], label: &[u8], form: Form) -> bool {
+pub(super) fn has_label(line: &[u8], label: &[u8], form: LineForm) -> bool {
     let text = line.trim_ascii();
     match form {
-        Form::Letters => {
+        LineForm::Letters => {
             let number = |prefix: u8| {
                 let [first, rest @ ..] = text else { return None };
                 let digits = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
@@ -104,8 +104,8 @@ pub(super) fn has_label(line: &[u8], label: &[u8], form: Form) -> bool {
                 _ => number(b'N') == Some(label),
             }
         }
-        Form::Keywords => bare(text, form).strip_suffix(b":").is_some_and(|name| name.eq_ignore_ascii_case(label)),
-        Form::Statements => {
+        LineForm::Keywords => bare(text, form).strip_suffix(b":").is_some_and(|name| name.eq_ignore_ascii_case(label)),
+        LineForm::Statements => {
             let mut at = Cursor::new(bare(text, form));
             at.word(b"LBL") && label_of(&mut at).is_some_and(|found| found == label)
         }
@@ -124,30 +124,30 @@ fn numbered(at: &mut Cursor<'_>) -> Option<Label> {
 }
 
 /// `IF [..] GOTO 5`, `#1=5`, `M98 P1000 L2`, `o100 while [..]`.
-fn letters(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
+fn letters(at: &mut Cursor<'_>, variables: &Variables) -> Option<FlowStatement> {
     match at.peek()?.to_ascii_uppercase() {
         b'#' => assignments(at, variables),
         b'O' => o_word(at, variables),
         b'I' if at.word(b"IF") => {
             let condition = Expression::new(at, variables).signed()?;
             if jump(at) {
-                return Some(Statement::Jump(condition, numbered(at)?));
+                return Some(FlowStatement::Jump(condition, numbered(at)?));
             }
             at.word(b"THEN").then_some(())?;
             let assigned = assignments(at, variables)?;
             match condition? {
-                0.0 => Some(Statement::Assign(Vec::new())),
+                0.0 => Some(FlowStatement::Assign(Vec::new())),
                 _ => Some(assigned),
             }
         }
-        b'G' if jump(at) => Some(Statement::Jump(Some(1.0), numbered(at)?)),
+        b'G' if jump(at) => Some(FlowStatement::Jump(Some(1.0), numbered(at)?)),
         b'W' if at.word(b"WHILE") => {
             let condition = Expression::new(at, variables).signed()?;
             at.literal(b"DO").then_some(())?;
-            Some(Statement::While(condition, numbered(at)?))
+            Some(FlowStatement::While(condition, numbered(at)?))
         }
-        b'D' if at.literal(b"DO") => Some(Statement::While(Some(1.0), numbered(at)?)),
-        b'E' if at.literal(b"END") => Some(Statement::EndLoop(numbered(at)?)),
+        b'D' if at.literal(b"DO") => Some(FlowStatement::While(Some(1.0), numbered(at)?)),
+        b'E' if at.literal(b"END") => Some(FlowStatement::EndLoop(numbered(at)?)),
         b'M' | b'G' => call(at, variables),
         _ => None,
     }
@@ -163,12 +163,12 @@ fn jump(at: &mut Cursor<'_>) -> bool {
 }
 
 /// `#1=5 #2=[#1+1]`, each of a variable that a program may set.
-fn assignments(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
+fn assignments(at: &mut Cursor<'_>, variables: &Variables) -> Option<FlowStatement> {
     let mut assigned = Vec::new();
     loop {
         at.blanks();
         if at.peek() != Some(b'#') {
-            return (!assigned.is_empty()).then_some(Statement::Assign(assigned));
+            return (!assigned.is_empty()).then_some(FlowStatement::Assign(assigned));
         }
         let variable = variables.read(at).filter(|variable| variables.is_of_program(variable))?;
         at.blanks();
@@ -178,11 +178,11 @@ fn assignments(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> 
 }
 
 /// `M98 P1000 L2`, `M97 P100`, `G65 P1000 A5.`, `M99`.
-fn call(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
+fn call(at: &mut Cursor<'_>, variables: &Variables) -> Option<FlowStatement> {
     let (letter, number) = at.letter_and_number()?;
     let code = (letter.to_ascii_uppercase(), whole(number)?);
     if code == (b'M', 99) {
-        return Some(Statement::Return);
+        return Some(FlowStatement::Return);
     }
     let macro_call = code == (b'G', 65);
     if !macro_call && !matches!(code, (b'M', 97 | 98)) {
@@ -207,7 +207,7 @@ fn call(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
         }
     }
     let label = if code == (b'M', 97) { format!("{}", program?) } else { format!("O{}", program?) };
-    Some(Statement::Call(label.into_bytes(), times, macro_call.then_some(arguments)))
+    Some(FlowStatement::Call(label.into_bytes(), times, macro_call.then_some(arguments)))
 }
 
 /// Whether a number without a point comes next, which is no part of an expression.
@@ -222,7 +222,7 @@ fn is_bare_number(at: &Cursor<'_>) -> bool {
 }
 
 /// `o100 sub`, `o<part> call [5]`, `o5 if [..]`.
-fn o_word(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
+fn o_word(at: &mut Cursor<'_>, variables: &Variables) -> Option<FlowStatement> {
     at.skip(1);
     let label = if at.peek() == Some(b'<') {
         let end = at.rest().iter().position(|byte| *byte == b'>')?;
@@ -236,16 +236,16 @@ fn o_word(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
     let word = at.letters().to_ascii_lowercase();
     let mut condition = || Expression::new(at, variables).signed();
     Some(match &word[..] {
-        b"sub" => Statement::Sub(label),
-        b"endsub" => Statement::EndSub(label),
-        b"return" => Statement::Return,
-        b"if" => Statement::If(condition()?, label),
-        b"else" => Statement::Else(label),
-        b"endif" => Statement::EndIf(label),
-        b"do" => Statement::Do(label),
-        b"while" => Statement::While(condition()?, label),
-        b"repeat" => Statement::Repeat(condition()?, label),
-        b"endwhile" | b"endrepeat" => Statement::EndLoop(label),
+        b"sub" => FlowStatement::Sub(label),
+        b"endsub" => FlowStatement::EndSub(label),
+        b"return" => FlowStatement::Return,
+        b"if" => FlowStatement::If(condition()?, label),
+        b"else" => FlowStatement::Else(label),
+        b"endif" => FlowStatement::EndIf(label),
+        b"do" => FlowStatement::Do(label),
+        b"while" => FlowStatement::While(condition()?, label),
+        b"repeat" => FlowStatement::Repeat(condition()?, label),
+        b"endwhile" | b"endrepeat" => FlowStatement::EndLoop(label),
         b"call" => {
             let mut arguments = Vec::new();
             loop {
@@ -256,14 +256,14 @@ fn o_word(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
                 let value = Expression::new(at, variables).signed()?;
                 arguments.push((format!("#{}", arguments.len() + 1).into_bytes(), value));
             }
-            Statement::Call(label, 1, Some(arguments))
+            FlowStatement::Call(label, 1, Some(arguments))
         }
         _ => return None,
     })
 }
 
 /// `R1=5`, `IF R1<5`, `WHILE`, `FOR R1=0 TO 5`, `GOTOF NAME`, `NAME:`.
-fn keywords(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
+fn keywords(at: &mut Cursor<'_>, variables: &Variables) -> Option<FlowStatement> {
     let start = *at;
     let name = at.name().to_ascii_uppercase();
     let target = |at: &mut Cursor<'_>| {
@@ -276,20 +276,20 @@ fn keywords(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
             at.blanks();
             let jumps = [&b"GOTOF"[..], b"GOTOB", b"GOTO"].into_iter().any(|word| at.word(word));
             return Some(match jumps {
-                true => Statement::Jump(condition, target(at)?),
-                false => Statement::If(condition, Label::new()),
+                true => FlowStatement::Jump(condition, target(at)?),
+                false => FlowStatement::If(condition, Label::new()),
             });
         }
-        b"ELSE" => return Some(Statement::Else(Label::new())),
-        b"ENDIF" => return Some(Statement::EndIf(Label::new())),
-        b"WHILE" => return Some(Statement::While(Expression::new(at, variables).condition()?, Label::new())),
-        b"LOOP" => return Some(Statement::While(Some(1.0), Label::new())),
+        b"ELSE" => return Some(FlowStatement::Else(Label::new())),
+        b"ENDIF" => return Some(FlowStatement::EndIf(Label::new())),
+        b"WHILE" => return Some(FlowStatement::While(Expression::new(at, variables).condition()?, Label::new())),
+        b"LOOP" => return Some(FlowStatement::While(Some(1.0), Label::new())),
         b"REPEAT" => {
             at.blanks();
-            return at.rest().is_empty().then(|| Statement::Do(Label::new()));
+            return at.rest().is_empty().then(|| FlowStatement::Do(Label::new()));
         }
-        b"UNTIL" => return Some(Statement::Until(Expression::new(at, variables).condition()?, Label::new())),
-        b"ENDWHILE" | b"ENDLOOP" | b"ENDFOR" => return Some(Statement::EndLoop(Label::new())),
+        b"UNTIL" => return Some(FlowStatement::Until(Expression::new(at, variables).condition()?, Label::new())),
+        b"ENDWHILE" | b"ENDLOOP" | b"ENDFOR" => return Some(FlowStatement::EndLoop(Label::new())),
         b"FOR" => {
             at.blanks();
             let variable = variables.read(at)?;
@@ -298,9 +298,9 @@ fn keywords(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
             let from = Expression::new(at, variables).condition()?;
             at.word(b"TO").then_some(())?;
             let to = Expression::new(at, variables).condition()?;
-            return Some(Statement::For(variable, from, to, Label::new()));
+            return Some(FlowStatement::For(variable, from, to, Label::new()));
         }
-        b"GOTOF" | b"GOTOB" | b"GOTO" => return Some(Statement::Jump(Some(1.0), target(at)?)),
+        b"GOTOF" | b"GOTOB" | b"GOTO" => return Some(FlowStatement::Jump(Some(1.0), target(at)?)),
         b"DEF" => {
             at.blanks();
             matches!(&at.name().to_ascii_uppercase()[..], b"REAL" | b"INT").then_some(())?;
@@ -311,20 +311,20 @@ fn keywords(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
                 defined.push((name, value));
                 at.blanks();
                 if !at.take(b',') {
-                    return Some(Statement::Assign(defined));
+                    return Some(FlowStatement::Assign(defined));
                 }
             }
         }
         _ => {}
     }
     if !name.is_empty() && at.take(b':') {
-        return Some(Statement::Label);
+        return Some(FlowStatement::Label);
     }
     *at = start;
     let variable = variables.read(at)?;
     at.blanks();
     at.take(b'=').then_some(())?;
-    Some(Statement::Assign(vec![(variable, Expression::new(at, variables).condition()?)]))
+    Some(FlowStatement::Assign(vec![(variable, Expression::new(at, variables).condition()?)]))
 }
 
 /// `5`, `"NAME"` after LBL.
@@ -340,18 +340,18 @@ fn label_of(at: &mut Cursor<'_>) -> Option<Label> {
 }
 
 /// `Q1 = Q2 + 5`, `FN 0: Q1 = +5`, `FN 9: IF +Q1 EQU +5 GOTO LBL 1`, `LBL 1`, `CALL LBL 1 REP 2`.
-fn conversational(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statement> {
+fn conversational(at: &mut Cursor<'_>, variables: &Variables) -> Option<FlowStatement> {
     if at.word(b"LBL") {
         let label = label_of(at)?;
-        return Some(if label == b"0" { Statement::Return } else { Statement::Label });
+        return Some(if label == b"0" { FlowStatement::Return } else { FlowStatement::Label });
     }
     if at.words("CALL LBL") {
         let label = label_of(at)?;
         at.blanks();
         if !at.literal(b"REP") {
-            return Some(Statement::Call(label, 1, None));
+            return Some(FlowStatement::Call(label, 1, None));
         }
-        return Some(Statement::RepeatFrom(label, whole(at.spaced_number()?)?));
+        return Some(FlowStatement::RepeatFrom(label, whole(at.spaced_number()?)?));
     }
     if at.word(b"FN") {
         let function = whole(at.spaced_number()?)?;
@@ -362,7 +362,7 @@ fn conversational(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statemen
             at.word(b"IF").then_some(())?;
             let condition = Expression::new(at, variables).condition()?;
             at.words("GOTO LBL").then_some(())?;
-            return Some(Statement::Jump(condition, label_of(at)?));
+            return Some(FlowStatement::Jump(condition, label_of(at)?));
         }
         (function <= 5).then_some(())?;
     }
@@ -370,5 +370,5 @@ fn conversational(at: &mut Cursor<'_>, variables: &Variables) -> Option<Statemen
     at.blanks();
     at.take(b'=').then_some(())?;
     // After a sum or a product its second operand has a sign of its own: `+Q1 + +5`.
-    Some(Statement::Assign(vec![(variable, Expression::new(at, variables).condition()?)]))
+    Some(FlowStatement::Assign(vec![(variable, Expression::new(at, variables).condition()?)]))
 }

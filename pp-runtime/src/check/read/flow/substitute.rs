@@ -1,6 +1,6 @@
 //! Blocks with numbers in the place of their expressions.
 
-use super::super::facts::Form;
+use super::super::facts::LineForm;
 use super::super::text::Cursor;
 use super::expression::Expression;
 use super::statement::bare;
@@ -10,15 +10,15 @@ use super::variables::Variables;
 const WITH_POINT: &[u8] = b"XYZABCUVWIJKRQFE";
 
 /// Whether a line may be a statement, or have an expression: most lines of a program do not.
-pub(super) fn may_state(line: &[u8], form: Form) -> bool {
+pub(super) fn may_state(line: &[u8], form: LineForm) -> bool {
     let bare = bare(line, form);
     let begins = |words: &[&str]| {
         words.iter().any(|word| bare.len() >= word.len() && bare[..word.len()].eq_ignore_ascii_case(word.as_bytes()))
     };
     match form {
-        Form::Letters => memchr::memchr2(b'#', b'[', line).is_some() || begins(&LETTERS),
-        Form::Keywords => line.iter().any(|byte| matches!(byte, b'=' | b'(' | b':')) || begins(&KEYWORDS),
-        Form::Statements => memchr::memchr(b'Q', line).is_some() || begins(&["LBL", "CALL", "FN"]),
+        LineForm::Letters => memchr::memchr2(b'#', b'[', line).is_some() || begins(&LETTERS),
+        LineForm::Keywords => line.iter().any(|byte| matches!(byte, b'=' | b'(' | b':')) || begins(&KEYWORDS),
+        LineForm::Statements => memchr::memchr(b'Q', line).is_some() || begins(&["LBL", "CALL", "FN"]),
     }
 }
 
@@ -58,12 +58,12 @@ pub(super) fn numbers(line: &[u8], variables: &Variables, text: &mut Vec<u8>) ->
 }
 
 /// Length of a comment or a text that comes next.
-fn passed_over(rest: &[u8], form: Form) -> Option<usize> {
+fn passed_over(rest: &[u8], form: LineForm) -> Option<usize> {
     let until = |end: u8| rest[1..].iter().position(|byte| *byte == end).map_or(rest.len(), |at| at + 2);
     match (rest[0], form) {
-        (b'(', Form::Letters) => Some(until(b')')),
+        (b'(', LineForm::Letters) => Some(until(b')')),
         (b';', _) => Some(rest.iter().position(|byte| *byte == super::super::text::GOES_ON).unwrap_or(rest.len())),
-        (b'"', Form::Keywords | Form::Statements) => Some(until(b'"')),
+        (b'"', LineForm::Keywords | LineForm::Statements) => Some(until(b'"')),
         _ => None,
     }
 }
@@ -73,11 +73,11 @@ fn expression(at: &mut Cursor<'_>, before: &[u8], variables: &Variables) -> Opti
     let last = before.last().copied().unwrap_or(b' ');
     let signed = usize::from(matches!(at.peek(), Some(b'-' | b'+')));
     match variables.form() {
-        Form::Letters => {
+        LineForm::Letters => {
             let begins = matches!(at.rest().get(signed), Some(b'#' | b'['));
             (begins && last.is_ascii_alphabetic()).then(|| Expression::new(at, variables).signed())?
         }
-        Form::Keywords => {
+        LineForm::Keywords => {
             // A value after `=`, a bracket or a comma that is more than a number.
             matches!(last, b'=' | b'(' | b',').then_some(())?;
             let start = at.rest();
@@ -88,7 +88,7 @@ fn expression(at: &mut Cursor<'_>, before: &[u8], variables: &Variables) -> Opti
             let ends = matches!(at.peek(), None | Some(b' ' | b'\t' | b',' | b')' | b';'));
             (!is_plain && ends).then_some(value)
         }
-        Form::Statements => {
+        LineForm::Statements => {
             (at.rest().get(signed) == Some(&b'Q')).then_some(())?;
             (!last.is_ascii_alphabetic() || signed > 0 || is_word_letter(before)).then_some(())?;
             let value = {
@@ -111,18 +111,18 @@ fn is_word_letter(before: &[u8]) -> bool {
 }
 
 /// Writes a value as a number of the form.
-fn write(value: f64, form: Form, letter: u8, text: &mut Vec<u8>) {
+fn write(value: f64, form: LineForm, letter: u8, text: &mut Vec<u8>) {
     let mut number = format!("{value:.9}");
     let length = number.trim_end_matches('0').len();
     number.truncate(length);
     match form {
-        Form::Letters if WITH_POINT.contains(&letter) => {}
+        LineForm::Letters if WITH_POINT.contains(&letter) => {}
         _ => number.truncate(number.trim_end_matches('.').len()),
     }
     if number.starts_with("-0") && number.trim_matches(['-', '0', '.']).is_empty() {
         number.remove(0);
     }
-    if form == Form::Statements && !number.starts_with('-') {
+    if form == LineForm::Statements && !number.starts_with('-') {
         text.push(b'+');
     }
     text.extend_from_slice(number.as_bytes());

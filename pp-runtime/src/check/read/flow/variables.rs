@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::super::facts::{Facts, Form};
+use super::super::facts::{Facts, LineForm};
 use super::super::text::Cursor;
 use super::expression::{Expression, Value};
 
@@ -76,7 +76,7 @@ pub(super) type Variable = Vec<u8>;
 /// Values of the variables that the program has set.
 #[derive(Debug, Clone)]
 pub(super) struct Variables {
-    form: Form,
+    form: LineForm,
     /// Fanuc and Haas: parameters and settings say what numbers without a point and some angles are.
     by_settings: bool,
     values: HashMap<Variable, Value>,
@@ -89,7 +89,7 @@ impl Variables {
         Self { form: facts.form, by_settings: facts.least_increments, values: HashMap::new(), defined: Vec::new() }
     }
 
-    pub(super) fn form(&self) -> Form {
+    pub(super) fn form(&self) -> LineForm {
         self.form
     }
 
@@ -138,7 +138,7 @@ impl Variables {
 
     fn name(&self, at: &mut Cursor<'_>) -> Option<Variable> {
         match self.form {
-            Form::Letters => {
+            LineForm::Letters => {
                 at.take(b'#').then_some(())?;
                 at.blanks();
                 if at.take(b'<') {
@@ -155,7 +155,7 @@ impl Variables {
                 };
                 numbered(b"#", number)
             }
-            Form::Keywords => {
+            LineForm::Keywords => {
                 let name = at.name().to_ascii_uppercase();
                 match &name[..] {
                     [b'R', digits @ ..] if !digits.is_empty() && digits.iter().all(u8::is_ascii_digit) => Some(name),
@@ -168,7 +168,7 @@ impl Variables {
                     _ => self.defined.contains(&name).then_some(name),
                 }
             }
-            Form::Statements => {
+            LineForm::Statements => {
                 let letters = at.letters();
                 matches!(letters, b"Q" | b"QL" | b"QR").then_some(())?;
                 at.peek().filter(u8::is_ascii_digit)?;
@@ -180,7 +180,7 @@ impl Variables {
     /// Whether a program may set a variable: others belong to the control, or outlast the program.
     pub(super) fn is_of_program(&self, variable: &Variable) -> bool {
         match self.form {
-            Form::Letters => {
+            LineForm::Letters => {
                 let digits = variable.strip_prefix(b"#").unwrap_or_default();
                 match std::str::from_utf8(digits).ok().and_then(|digits| digits.parse::<u32>().ok()) {
                     // From #500 on they outlast the program on Fanuc and Haas, and probing macros keep their calibration there. To the
@@ -189,9 +189,9 @@ impl Variables {
                     None => !variable.strip_prefix(b"#<_").is_some_and(|name| PREDEFINED.contains(&name)),
                 }
             }
-            Form::Keywords => true,
+            LineForm::Keywords => true,
             // Cycles read Q200 and up, the control sets Q100 and up; QR outlasts the program.
-            Form::Statements => match variable.strip_prefix(b"Q") {
+            LineForm::Statements => match variable.strip_prefix(b"Q") {
                 Some(digits) if digits.first().is_some_and(u8::is_ascii_digit) => digits.len() <= 2,
                 _ => !variable.starts_with(b"QR"),
             },

@@ -1,10 +1,10 @@
 //! Cycles: CYCL DEF with its parameters, by the lists of the language.
 
-use super::super::block::{CycleKind, FineBore, Smoothing, WorkOffset};
-use super::super::language::arguments::{SLOTS, Slot};
-use super::super::language::{List, Role};
+use super::super::block::{CycleKind, FineBore, PathSmoothing, WorkOffset};
+use super::super::language::arguments::{ArgumentSlot, SLOTS};
+use super::super::language::{ArgumentRole, List};
 use super::super::line::Line;
-use super::super::orders::{Act, Cycle, Mode};
+use super::super::orders::{Act, Cycle, ModeOrder};
 use super::super::text::{Cursor, GOES_ON, same, tenths, whole};
 use super::ended;
 
@@ -40,10 +40,10 @@ impl Sequence {
 }
 
 /// Numbers of a cycle by their slots.
-struct Numbers([f64; SLOTS]);
+struct DefinitionNumbers([f64; SLOTS]);
 
-impl Numbers {
-    fn get(&self, slot: Slot) -> f64 {
+impl DefinitionNumbers {
+    fn get(&self, slot: ArgumentSlot) -> f64 {
         self.0[slot as usize]
     }
 }
@@ -78,10 +78,10 @@ fn tolerance(line: &mut Line<'_>) -> bool {
     let tolerance = if line.at.take(b'T') { line.at.spaced_number() } else { None };
     let unit = line.machine().unit();
     let smoothing = match tolerance {
-        Some(tolerance) => Smoothing::On { tolerance_mm: Some(tolerance.value * unit), level: None },
-        None => Smoothing::Off,
+        Some(tolerance) => PathSmoothing::On { tolerance_mm: Some(tolerance.value * unit), level: None },
+        None => PathSmoothing::Off,
     };
-    line.orders.mode(Mode::Smoothing(smoothing, None));
+    line.orders.mode(ModeOrder::Smoothing(smoothing, None));
     ended(line)
 }
 
@@ -90,16 +90,16 @@ fn mode(line: &mut Line<'_>) -> bool {
     let level = line.at.literal(b"HSC-MODE:").then(|| line.at.spaced_number()).flatten().and_then(whole);
     line.at.blanks();
     let angle = if line.at.literal(b"TA") { line.at.spaced_number() } else { None };
-    let Smoothing::On { tolerance_mm, .. } = line.machine().state().smoothing else { return false };
+    let PathSmoothing::On { tolerance_mm, .. } = line.machine().state().smoothing else { return false };
     let Some(level @ 0..=1) = level else { return false };
     let angle_rad = angle.map(|angle| angle.value.to_radians());
-    line.orders.mode(Mode::Smoothing(Smoothing::On { tolerance_mm, level: Some(level as u8) }, angle_rad));
+    line.orders.mode(ModeOrder::Smoothing(PathSmoothing::On { tolerance_mm, level: Some(level as u8) }, angle_rad));
     ended(line)
 }
 
 /// The parameters of a cycle; each must be there once. `None` if one is wrong, which has been said.
-fn parameters(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
-    let mut numbers = Numbers([0.0; SLOTS]);
+fn parameters(line: &mut Line<'_>, list: &List) -> Option<DefinitionNumbers> {
+    let mut numbers = DefinitionNumbers([0.0; SLOTS]);
     let (mut seen, mut correct) = (0_u32, true);
     // The first line has the name of the cycle, the others a parameter and a comment.
     let mut parts = line.at.take_rest().split(|byte| *byte == GOES_ON);
@@ -124,14 +124,14 @@ fn parameters(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
             correct &= seen & (1 << index) == 0;
             seen |= 1 << index;
             match list.items[index].role {
-                Role::Whole(_) if value.fract() != 0.0 => {
+                ArgumentRole::Whole(_) if value.fract() != 0.0 => {
                     let name = list.items[index].name;
                     line.fault(0, format!("Q{number} ({name}) of {} is {value}, expected a whole number", list.name));
                     correct = false;
                 }
-                Role::Whole(slot) => numbers.0[slot as usize] = value,
-                Role::Needs(slot) | Role::Takes(slot) => numbers.0[slot as usize] = value,
-                Role::Must(wanted) if !same(wanted, value) => {
+                ArgumentRole::Whole(slot) => numbers.0[slot as usize] = value,
+                ArgumentRole::Needs(slot) | ArgumentRole::Takes(slot) => numbers.0[slot as usize] = value,
+                ArgumentRole::Must(wanted) if !same(wanted, value) => {
                     let name = list.items[index].name;
                     line.fault(0, format!("Q{number} ({name}) of {} is {value}, expected {wanted}", list.name));
                     correct = false;
@@ -164,45 +164,45 @@ fn parameter(at: &mut Cursor<'_>) -> Option<(u32, f64)> {
     matches!(at.peek(), None | Some(b' ' | b'\t' | b';')).then_some((number, value))
 }
 
-fn carry_out(line: &mut Line<'_>, tenths: u32, numbers: &Numbers) -> bool {
+fn carry_out(line: &mut Line<'_>, tenths: u32, numbers: &DefinitionNumbers) -> bool {
     if tenths == 2470 {
-        let row = numbers.get(Slot::Row);
+        let row = numbers.get(ArgumentSlot::Row);
         if row < 0.0 {
             return false;
         }
-        line.orders.mode(Mode::Restart);
-        line.orders.mode(Mode::WorkOffset(WorkOffset::Row(row as u32)));
+        line.orders.mode(ModeOrder::Restart);
+        line.orders.mode(ModeOrder::WorkOffset(WorkOffset::Row(row as u32)));
         return true;
     }
     let hole = hole(line, tenths / 10, numbers);
     if let Some(hole) = hole {
-        line.orders.mode(Mode::Define(hole.in_unit(line.machine().unit())));
+        line.orders.mode(ModeOrder::Define(hole.in_unit(line.machine().unit())));
     }
     hole.is_some()
 }
 
 /// Cycles 200 and up that make one hole.
-fn hole(line: &mut Line<'_>, number: u32, q: &Numbers) -> Option<Cycle> {
-    let surface = q.get(Slot::Surface);
-    let (depth, clearance) = (-q.get(Slot::Depth), q.get(Slot::Clearance));
+fn hole(line: &mut Line<'_>, number: u32, q: &DefinitionNumbers) -> Option<Cycle> {
+    let surface = q.get(ArgumentSlot::Surface);
+    let (depth, clearance) = (-q.get(ArgumentSlot::Depth), q.get(ArgumentSlot::Clearance));
     if depth <= 0.0 || clearance < 0.0 {
         line.fault(0, "Q201 of the cycle is not negative, or Q200 is");
     }
-    for (name, slot) in [("Q202", Slot::Step), ("Q204", Slot::Return)] {
+    for (name, slot) in [("Q202", ArgumentSlot::Step), ("Q204", ArgumentSlot::Return)] {
         if q.get(slot) < 0.0 {
             line.fault(0, format!("{name} of the cycle is negative"));
         }
     }
     let (reference, bottom) = (surface + clearance, surface - depth);
-    let back_to = (surface + q.get(Slot::Return)).max(reference);
+    let back_to = (surface + q.get(ArgumentSlot::Return)).max(reference);
     // Steps count from the surface.
-    let step = Some(q.get(Slot::Step)).filter(|step| *step > 0.0 && *step < depth);
+    let step = Some(q.get(ArgumentSlot::Step)).filter(|step| *step > 0.0 && *step < depth);
     let mut gap = None;
     let kind = match number {
         200 => step.map_or(CycleKind::Drill, CycleKind::Peck),
         201 => CycleKind::Ream,
         202 => {
-            let quadrant = q.get(Slot::Quadrant);
+            let quadrant = q.get(ArgumentSlot::Quadrant);
             let direction = match quadrant {
                 1.0 => [-1.0, 0.0],
                 2.0 => [0.0, -1.0],
@@ -214,31 +214,31 @@ fn hole(line: &mut Line<'_>, number: u32, q: &Numbers) -> Option<Cycle> {
                 }
             };
             // The control moves it by a distance of its own.
-            let angle_deg = Some(q.get(Slot::Angle));
+            let angle_deg = Some(q.get(ArgumentSlot::Angle));
             CycleKind::FineBore(FineBore { shift_mm: None, direction: Some(direction), angle_deg })
         }
         203 => match step {
             Some(step) => {
-                let breaks = q.get(Slot::Breaks);
+                let breaks = q.get(ArgumentSlot::Breaks);
                 if breaks < (depth / step).ceil() - 1.0 {
                     line.fault(0, format!("Q213 is {breaks}, fewer chip breaks than the hole has steps"));
                 }
-                gap = Some(q.get(Slot::OtherGap));
+                gap = Some(q.get(ArgumentSlot::OtherGap));
                 CycleKind::ChipBreak(step)
             }
             None => CycleKind::Drill,
         },
         205 => {
-            let (upper, lower) = (q.get(Slot::Gap), q.get(Slot::OtherGap));
+            let (upper, lower) = (q.get(ArgumentSlot::Gap), q.get(ArgumentSlot::OtherGap));
             if !same(upper, lower) {
                 line.fault(0, format!("Q259 is {lower}, expected {upper} as Q258"));
             }
             gap = step.map(|_| upper);
             step.map_or(CycleKind::Drill, CycleKind::Peck)
         }
-        207 => CycleKind::Tap(q.get(Slot::Pitch)),
+        207 => CycleKind::Tap(q.get(ArgumentSlot::Pitch)),
         _ => return None,
     };
-    let feed = (number != 207).then(|| q.get(Slot::Feed));
-    Some(Cycle { kind, reference, bottom, back_to: Some(back_to), dwell: q.get(Slot::Dwell), feed, gap })
+    let feed = (number != 207).then(|| q.get(ArgumentSlot::Feed));
+    Some(Cycle { kind, reference, bottom, back_to: Some(back_to), dwell: q.get(ArgumentSlot::Dwell), feed, gap })
 }

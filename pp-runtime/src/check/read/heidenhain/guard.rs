@@ -6,7 +6,7 @@
 
 use super::super::block::{Guard, LengthSource};
 use super::super::line::Line;
-use super::super::orders::Mode;
+use super::super::orders::ModeOrder;
 use super::super::text::{Cursor, whole};
 
 /// Bounds and lengths are rounded to this, mm.
@@ -17,7 +17,7 @@ const READ: [&[u8]; 2] = [b"FN18:SYSREADQL1=ID50NR1IDX", b"FN18:SYSREADQL2=ID50N
 
 /// How far a guard has come.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct LengthGuard {
+pub(super) struct LengthGuardLines {
     /// Lines of it that have come.
     lines: u8,
     /// What is read second, of [`READ`].
@@ -25,13 +25,13 @@ pub(super) struct LengthGuard {
     tool: u32,
     low: f64,
     high: f64,
-    off: Label,
-    fits: Label,
+    off: GuardLabel,
+    fits: GuardLabel,
 }
 
 /// Name of a label.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) struct Label {
+pub(super) struct GuardLabel {
     name: [u8; 24],
     length: usize,
 }
@@ -46,7 +46,7 @@ pub(super) fn continues(line: &mut Line<'_>, came: bool, is_open: bool, guard: &
     continues
 }
 
-impl LengthGuard {
+impl LengthGuardLines {
     /// Whether a guard has begun.
     pub(super) fn is_open(&self) -> bool {
         self.lines > 0
@@ -63,7 +63,7 @@ impl LengthGuard {
         if self.lines == 8 {
             self.lines = 0;
             let [low, high] = [self.low, self.high];
-            line.orders.mode(Mode::Guard(Guard {
+            line.orders.mode(ModeOrder::Guard(Guard {
                 length_mm: ((low + high) / 2.0 * ROUNDED).round() / ROUNDED,
                 tolerance_mm: ((high - low) / 2.0 * ROUNDED).round() / ROUNDED,
                 source: LengthSource::Tool(self.tool),
@@ -100,19 +100,19 @@ impl LengthGuard {
 }
 
 /// `FN 12: IF +QL1 LT +99.99 GOTO LBL "OFF1"`: bound and label.
-fn jump(at: &mut Cursor<'_>) -> Option<(f64, Label)> {
+fn jump(at: &mut Cursor<'_>) -> Option<(f64, GuardLabel)> {
     let bound = at.literal(b"FN12:IF+QL1LT").then(|| at.spaced_number())??.value;
     let label = at.literal(b"GOTOLBL").then(|| label(at))??;
     Some((bound, label))
 }
 
 /// `"OFF1"`.
-pub(super) fn label(at: &mut Cursor<'_>) -> Option<Label> {
+pub(super) fn label(at: &mut Cursor<'_>) -> Option<GuardLabel> {
     at.blanks();
     at.take(b'"').then_some(())?;
     let rest = at.rest();
     let length = rest.iter().position(|byte| *byte == b'"')?;
-    let mut label = Label { length, ..Label::default() };
+    let mut label = GuardLabel { length, ..GuardLabel::default() };
     label.name.get_mut(..length)?.copy_from_slice(&rest[..length]);
     at.skip(length + 1);
     Some(label)

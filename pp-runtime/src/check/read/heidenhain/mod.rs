@@ -17,23 +17,23 @@ mod round;
 mod words;
 
 use self::cycles::Sequence;
-use self::guard::LengthGuard;
+use self::guard::LengthGuardLines;
 use self::offset_guard::OffsetGuardLines;
 use self::plane_guard::PlaneGuardLines;
-use super::Dialect;
-use super::block::{BlankPart, FeedMode, Side, WorkPlane};
-use super::language::{Means, Statement};
+use super::LineLanguage;
+use super::block::{BlankPart, FeedMode, SideOfPath, WorkPlane};
+use super::language::{Means, StatementWord};
 use super::line::Line;
-use super::orders::{Act, Code, Mode};
+use super::orders::{Act, Code, ModeOrder};
 use super::text::{GOES_ON, shown, whole};
 use crate::program::Units;
 
 /// What is remembered from one line to the next.
 #[derive(Debug, Default)]
-pub(super) struct Heidenhain {
+pub(super) struct HeidenhainLines {
     /// CC, as written.
     pole: [Option<f64>; 3],
-    guard: LengthGuard,
+    guard: LengthGuardLines,
     plane_guard: PlaneGuardLines,
     offset_guard: OffsetGuardLines,
     /// A cycle of several lines.
@@ -42,7 +42,7 @@ pub(super) struct Heidenhain {
     ended: bool,
 }
 
-impl Dialect for Heidenhain {
+impl LineLanguage for HeidenhainLines {
     fn line(&mut self, line: &mut Line<'_>) -> bool {
         if line.at.ended() {
             return false;
@@ -78,7 +78,7 @@ impl Dialect for Heidenhain {
     }
 }
 
-impl Heidenhain {
+impl HeidenhainLines {
     /// The number of the line.
     fn number(line: &mut Line<'_>) {
         let Some(number) = line.at.number().and_then(whole).map(u64::from) else {
@@ -106,41 +106,41 @@ impl Heidenhain {
             return guards() || words::codes(line) && composed(line, false);
         };
         match statement {
-            Statement::Line => {
+            StatementWord::Line => {
                 let Some(marks) = words::motion(line) else { return false };
                 let code = if marks.rapid { Code::Rapid } else { Code::Feed };
-                line.orders.mode(Mode::Motion(code, 0));
+                line.orders.mode(ModeOrder::Motion(code, 0));
                 marks.sense.is_none() && composed(line, false)
             }
-            Statement::Pole => round::centre(line, &mut self.pole),
-            Statement::Arc => {
+            StatementWord::Pole => round::centre(line, &mut self.pole),
+            StatementWord::Arc => {
                 let Some(marks) = words::motion(line).filter(|marks| !marks.rapid) else { return false };
                 let code = marks.sense.and_then(|sense| round::close(line, spelling, sense, &self.pole));
                 let Some(code) = code else { return false };
-                line.orders.mode(Mode::Motion(code, 0));
+                line.orders.mode(ModeOrder::Motion(code, 0));
                 composed(line, false)
             }
-            Statement::ToolCall => tool(line),
-            Statement::ToolDef => matches!(tool_number(line), Ok(Some(_))) && ended(line),
-            Statement::CycleDef => cycles::define(line),
-            Statement::CycleCall => words::codes(line) && composed(line, true),
-            Statement::PlaneSpatial => plane::spatial(line),
-            Statement::PlaneReset => plane::reset(line),
-            Statement::TcpmOn => plane::tcpm(line),
-            Statement::TcpmOff => {
-                line.orders.mode(Mode::TipControl(false));
+            StatementWord::ToolCall => tool(line),
+            StatementWord::ToolDef => matches!(tool_number(line), Ok(Some(_))) && ended(line),
+            StatementWord::CycleDef => cycles::define(line),
+            StatementWord::CycleCall => words::codes(line) && composed(line, true),
+            StatementWord::PlaneSpatial => plane::spatial(line),
+            StatementWord::PlaneReset => plane::reset(line),
+            StatementWord::TcpmOn => plane::tcpm(line),
+            StatementWord::TcpmOff => {
+                line.orders.mode(ModeOrder::TipControl(false));
                 ended(line)
             }
-            Statement::Begin => !self.began && begin(line),
-            Statement::EndOfProgram => {
+            StatementWord::Begin => !self.began && begin(line),
+            StatementWord::EndOfProgram => {
                 if !self.ended {
                     line.orders.act(Act::End);
                 }
                 line.at.take_rest();
                 true
             }
-            Statement::Blank => blank(line),
-            Statement::Stop => {
+            StatementWord::Blank => blank(line),
+            StatementWord::Stop => {
                 line.orders.act(Act::Stop { optional: false });
                 words::codes(line) && composed(line, false)
             }
@@ -167,9 +167,12 @@ fn begin(line: &mut Line<'_>) -> bool {
         Some(b"INCH") => Units::Inches,
         _ => return false,
     };
-    for mode in
-        [Mode::Incremental(false), Mode::FeedMode(FeedMode::PerMinute), Mode::Side(Side::None), Mode::Units(units)]
-    {
+    for mode in [
+        ModeOrder::Incremental(false),
+        ModeOrder::FeedMode(FeedMode::PerMinute),
+        ModeOrder::Side(SideOfPath::None),
+        ModeOrder::Units(units),
+    ] {
         line.orders.mode(mode);
     }
     true
@@ -178,7 +181,7 @@ fn begin(line: &mut Line<'_>) -> bool {
 /// `BLK FORM 0.1 Z X-10 Y-10 Z-10`, `BLK FORM 0.2 X+10 Y+10 Z+0`, `BLK FORM CYLINDER Z R40 L50 DIST+0`.
 fn blank(line: &mut Line<'_>) -> bool {
     let part = blank_part(line).filter(|_| ended(line));
-    part.into_iter().for_each(|part| line.orders.mode(Mode::Blank(part)));
+    part.into_iter().for_each(|part| line.orders.mode(ModeOrder::Blank(part)));
     part.is_some()
 }
 
@@ -237,7 +240,7 @@ fn tool(line: &mut Line<'_>) -> bool {
             _ => return false,
         };
         line.at.skip(1);
-        for mode in [Mode::Tool(number), Mode::Change, Mode::LengthOfTool, Mode::Plane(plane)] {
+        for mode in [ModeOrder::Tool(number), ModeOrder::Change, ModeOrder::LengthOfTool, ModeOrder::Plane(plane)] {
             line.orders.mode(mode);
         }
         line.orders.act(Act::ToolChange);
@@ -259,7 +262,7 @@ fn tool(line: &mut Line<'_>) -> bool {
     if speed.is_some_and(|speed| speed < 0.0) {
         line.fault(0, "S is negative");
     }
-    speed.into_iter().for_each(|speed| line.orders.mode(Mode::Speed(speed)));
-    line.orders.mode(Mode::RadiusDelta(stated.or(number.map(|_| 0.0))));
+    speed.into_iter().for_each(|speed| line.orders.mode(ModeOrder::Speed(speed)));
+    line.orders.mode(ModeOrder::RadiusDelta(stated.or(number.map(|_| 0.0))));
     number.is_some() || speed.is_some()
 }

@@ -4,16 +4,16 @@
 //! `FN 14: ERROR = 102`, `LBL "OFFSET1"`.
 
 use super::super::line::Line;
-use super::super::orders::Mode;
+use super::super::orders::ModeOrder;
 use super::super::text::{Cursor, whole};
-use super::guard::{Label, continues, label};
+use super::guard::{GuardLabel, continues, label};
 
 /// Progress of a guard.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct OffsetGuardLines {
     /// Lines of it that have come.
     lines: u8,
-    passed: Label,
+    passed: GuardLabel,
 }
 
 impl OffsetGuardLines {
@@ -31,7 +31,7 @@ impl OffsetGuardLines {
         }
         self.lines = (self.lines + 1) % 4;
         if self.lines == 0 {
-            line.orders.mode(Mode::OffsetGuard);
+            line.orders.mode(ModeOrder::OffsetGuard);
         }
         true
     }

@@ -2,7 +2,7 @@
 
 use super::super::frames;
 use super::super::line::Line;
-use super::super::orders::{Mode, TiltCode};
+use super::super::orders::{ModeOrder, TiltCode};
 use super::ended;
 
 /// How the rotary axes get to a plane.
@@ -18,7 +18,7 @@ enum Positioning {
 
 /// Words after the positioning.
 #[derive(Debug, Clone, Copy, Default)]
-struct Words {
+struct PositioningWords {
     retract: bool,
     distance: bool,
     feed: bool,
@@ -67,8 +67,8 @@ fn positioning(line: &mut Line<'_>) -> Option<Positioning> {
 }
 
 /// `MB MAX`, `MB50`, `DIST50`, `FMAX`, `F500`, `SEQ-`, `TABLE ROT`, `COORD ROT`; each at most once.
-fn words(line: &mut Line<'_>, positioning: Positioning) -> Option<Words> {
-    let mut words = Words::default();
+fn words(line: &mut Line<'_>, positioning: Positioning) -> Option<PositioningWords> {
+    let mut words = PositioningWords::default();
     let moves = positioning != Positioning::Stay;
     while !ended(line) {
         let at = &mut line.at;
@@ -103,13 +103,13 @@ fn words(line: &mut Line<'_>, positioning: Positioning) -> Option<Words> {
 /// `FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS`: whether the tool axis rotates in a plane. With AXIS SPAT the words of
 /// rotary axes would be spatial angles, which nothing here is.
 pub(super) fn tcpm(line: &mut Line<'_>) -> bool {
-    line.orders.mode(Mode::TipControl(true));
+    line.orders.mode(ModeOrder::TipControl(true));
     let at = &mut line.at;
     let positions = at.words("F TCP AXIS POS PATHCTRL");
     let in_plane = positions && at.word(b"VECTOR");
     if !positions || !in_plane && !at.word(b"AXIS") {
         return false;
     }
-    line.orders.mode(Mode::InPlane(in_plane));
+    line.orders.mode(ModeOrder::InPlane(in_plane));
     ended(line)
 }

@@ -6,9 +6,9 @@
 
 use super::super::block::RotaryGuard;
 use super::super::line::Line;
-use super::super::orders::Mode;
+use super::super::orders::ModeOrder;
 use super::super::text::{Cursor, whole};
-use super::guard::{Label, continues, label};
+use super::guard::{GuardLabel, continues, label};
 
 /// Axes in the order of their numbers in `ID270`; the check states them itself.
 const AXES: &[u8; 9] = b"XYZABCUVW";
@@ -20,7 +20,7 @@ pub(super) struct PlaneGuardLines {
     /// The axes whose positions have been read, by QL number.
     axes: [Option<usize>; 2],
     guard: RotaryGuard,
-    passed: Label,
+    passed: GuardLabel,
 }
 
 /// The next line of a guard.
@@ -52,7 +52,7 @@ impl PlaneGuardLines {
         };
         self.due = due;
         if !self.is_open() {
-            line.orders.mode(Mode::PlaneGuard(std::mem::take(self).guard));
+            line.orders.mode(ModeOrder::PlaneGuard(std::mem::take(self).guard));
         }
         true
     }

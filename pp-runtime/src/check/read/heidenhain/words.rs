@@ -1,9 +1,9 @@
 //! Words of a motion: axes, F, radius correction, sense of an arc, components of the tool axis, M codes.
 
-use super::super::block::Side;
+use super::super::block::SideOfPath;
 use super::super::language::Address;
 use super::super::line::Line;
-use super::super::orders::Mode;
+use super::super::orders::ModeOrder;
 use super::super::words::Counts;
 
 /// Words of a motion that are no numbers.
@@ -48,10 +48,10 @@ fn mark(line: &mut Line<'_>, marks: &mut Marks) -> Option<()> {
         }
         return Some(());
     }
-    let sides = [(&b"R0"[..], Side::None), (b"RL", Side::Left), (b"RR", Side::Right)];
+    let sides = [(&b"R0"[..], SideOfPath::None), (b"RL", SideOfPath::Left), (b"RR", SideOfPath::Right)];
     if let Some((_, side)) = sides.into_iter().find(|(word, _)| line.at.word(word)) {
-        let first = !line.orders.has(|mode| matches!(mode, Mode::Side(_)));
-        line.orders.mode(Mode::Side(side));
+        let first = !line.orders.has(|mode| matches!(mode, ModeOrder::Side(_)));
+        line.orders.mode(ModeOrder::Side(side));
         return first.then_some(());
     }
     let plus = match line.at.rest() {

@@ -7,7 +7,7 @@
 
 use super::super::block::{Guard, LengthSource};
 use super::super::line::Line;
-use super::super::orders::Mode;
+use super::super::orders::ModeOrder;
 use super::super::text::{Cursor, same, whole};
 
 /// Variables of geometry and wear of a length register: first numbers, and the number of registers.
@@ -108,8 +108,8 @@ impl Guards {
             match self.open.take() {
                 Some(Open::Condition { label: opened, guard, aborts }) if opened == label => {
                     line.orders.mode(match guard {
-                        Compared::Length(guard) => Mode::Guard(Guard { stops: aborts, ..guard }),
-                        Compared::Offset => Mode::OffsetGuard,
+                        Compared::Length(guard) => ModeOrder::Guard(Guard { stops: aborts, ..guard }),
+                        Compared::Offset => ModeOrder::OffsetGuard,
                     });
                     if !aborts {
                         line.fault(0, "the guard does not abort the program");
@@ -132,7 +132,7 @@ impl Guards {
         match register_condition(&mut line.at, unit) {
             Some((mut guard, None)) if is_alarm(line) => {
                 guard.stops = true;
-                line.orders.mode(Mode::Guard(guard));
+                line.orders.mode(ModeOrder::Guard(guard));
             }
             Some((guard, Some(target))) => self.open = Some(Open::Jump { target, guard, alarm: false }),
             _ => line.fault(
@@ -149,7 +149,7 @@ impl Guards {
         match &mut self.open {
             Some(Open::Jump { guard, alarm, .. }) if !*alarm && is_alarm(line) => {
                 *alarm = true;
-                line.orders.mode(Mode::Guard(Guard { stops: true, ..*guard }));
+                line.orders.mode(ModeOrder::Guard(Guard { stops: true, ..*guard }));
             }
             _ => line.fault(0, "a variable is set or an alarm is raised without a condition"),
         }

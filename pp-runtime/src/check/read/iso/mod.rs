@@ -18,7 +18,7 @@ use super::machine::Interpreter;
 use super::orders::Act;
 use super::text::{Number, shown, whole};
 use super::words::Counts;
-use super::{Dialect, Moves, Vocabulary};
+use super::{LineLanguage, Moves, Vocabulary};
 use crate::shortcut::Shortcut;
 
 /// Comments of LinuxCNC that begin with these words and a comma display a text and do nothing else.
@@ -99,7 +99,7 @@ impl Iso {
     }
 }
 
-impl Dialect for Iso {
+impl LineLanguage for Iso {
     fn moves(&self, text: &[u8], machine: &Interpreter, moves: &mut Moves) -> bool {
         if !Shortcut::LinesOfWords.is_on() || self.guards.is_open() {
             return false;

@@ -8,7 +8,7 @@ use super::super::{Moves, Vocabulary};
 
 /// Meaning of the first byte of a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Part {
+enum WordStart {
     Blank,
     BlockNumber,
     /// A word of an axis, by its position in the chain, [`FEED`], or one of [`CENTRE`].
@@ -36,7 +36,7 @@ fn permitted(centre: Letters) -> u32 {
 #[derive(Debug)]
 pub(super) struct MoveWords {
     /// By byte.
-    parts: Box<[Part; 256]>,
+    parts: Box<[WordStart; 256]>,
     /// A number without a point counts as it is written, too.
     plain: bool,
 }
@@ -45,14 +45,14 @@ impl MoveWords {
     pub(super) fn new(vocabulary: &Vocabulary, machine: &Interpreter) -> Self {
         let language = vocabulary.family.language();
         let part = |byte: u8| match (byte, language.address(byte)) {
-            (b' ' | b'\t' | b'\r', _) => Part::Blank,
-            (_, Some(Address::BlockNumber)) => Part::BlockNumber,
+            (b' ' | b'\t' | b'\r', _) => WordStart::Blank,
+            (_, Some(Address::BlockNumber)) => WordStart::BlockNumber,
             (_, Some(Address::Axis)) => {
-                machine.axis_named(&[byte]).map_or(Part::Other, |index| Part::Word(index as u8))
+                machine.axis_named(&[byte]).map_or(WordStart::Other, |index| WordStart::Word(index as u8))
             }
-            (_, Some(Address::Feed)) => Part::Word(FEED),
-            (b'I'..=b'K', Some(Address::Centre)) => Part::Word(CENTRE[usize::from(byte - b'I')]),
-            _ => Part::Other,
+            (_, Some(Address::Feed)) => WordStart::Word(FEED),
+            (b'I'..=b'K', Some(Address::Centre)) => WordStart::Word(CENTRE[usize::from(byte - b'I')]),
+            _ => WordStart::Other,
         };
         Self {
             parts: Box::new(std::array::from_fn(|byte| part(byte as u8))),
@@ -77,7 +77,7 @@ impl MoveWords {
         let number = |at: &mut Cursor<'_>| if SHORT { at.short_number() } else { at.number() };
         *moves = Moves::default();
         let mut at = Cursor::new(text);
-        if at.peek().map(|byte| self.parts[usize::from(byte)]) == Some(Part::BlockNumber) {
+        if at.peek().map(|byte| self.parts[usize::from(byte)]) == Some(WordStart::BlockNumber) {
             at.skip(1);
             let number = number(&mut at).filter(|number| !number.point && !number.negative);
             moves.number = number.and_then(whole).map(u64::from);
@@ -90,10 +90,10 @@ impl MoveWords {
         while let Some(byte) = at.peek() {
             at.skip(1);
             let part = self.parts[usize::from(byte)];
-            if part == Part::Blank {
+            if part == WordStart::Blank {
                 continue;
             }
-            let Part::Word(index) = part else { return false };
+            let WordStart::Word(index) = part else { return false };
             let suits = |number: &Number| left & (1 << index) != 0 && (number.point || self.plain);
             let Some(number) = number(&mut at).filter(suits) else { return false };
             left &= !(1 << index);

@@ -18,7 +18,7 @@ pub(in super::super) struct Item {
     pub(crate) name: &'static str,
     /// Number of a Q parameter.
     pub(crate) number: u32,
-    pub(crate) role: Role,
+    pub(crate) role: ArgumentRole,
 }
 
 /// Number of the list of the blank, which is read as a whole.
@@ -26,7 +26,7 @@ pub(in super::super) const WORKPIECE: u32 = 1;
 
 /// Meaning of an argument or a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in super::super) enum Role {
+pub(in super::super) enum ArgumentRole {
     /// It must be there and have this value.
     Must(f64),
     /// It may be missing, and must have this value otherwise.
@@ -38,16 +38,16 @@ pub(in super::super) enum Role {
     /// A text that is displayed.
     Text,
     /// A number that is executed; it must be there.
-    Needs(Slot),
+    Needs(ArgumentSlot),
     /// A whole number that is executed; it must be there.
-    Whole(Slot),
+    Whole(ArgumentSlot),
     /// A number that is executed; it may be missing.
-    Takes(Slot),
+    Takes(ArgumentSlot),
 }
 
 /// Places of the numbers that are executed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in super::super) enum Slot {
+pub(in super::super) enum ArgumentSlot {
     Return,
     Surface,
     Clearance,
@@ -87,13 +87,13 @@ pub(in super::super) enum Slot {
 }
 
 /// Number of slots.
-pub(in super::super) const SLOTS: usize = Slot::Row as usize + 1;
+pub(in super::super) const SLOTS: usize = ArgumentSlot::Row as usize + 1;
 
-const fn q(number: u32, name: &'static str, role: Role) -> Item {
+const fn q(number: u32, name: &'static str, role: ArgumentRole) -> Item {
     Item { name, number, role }
 }
 
-const fn arg(name: &'static str, role: Role) -> Item {
+const fn arg(name: &'static str, role: ArgumentRole) -> Item {
     Item { name, number: 0, role }
 }
 
@@ -102,12 +102,12 @@ const ONE: &str = "SINUMERIK ONE programming manual 12/2019 (6FC5398-2EP40-0BA0)
 const TNC: &str = "HEIDENHAIN TNC 640 and iTNC 530, user's manuals of cycle programming";
 
 /// RTP, RFP, SDIS, DP, DPR.
-const RTP: Item = arg("RTP", Role::Needs(Slot::Return));
-const RFP: Item = arg("RFP", Role::Needs(Slot::Surface));
-const SDIS: Item = arg("SDIS", Role::Needs(Slot::Clearance));
-const DP: Item = arg("DP", Role::Takes(Slot::Bottom));
-const DPR: Item = arg("DPR", Role::Takes(Slot::Depth));
-const DTB: Item = arg("DTB", Role::Takes(Slot::Dwell));
+const RTP: Item = arg("RTP", ArgumentRole::Needs(ArgumentSlot::Return));
+const RFP: Item = arg("RFP", ArgumentRole::Needs(ArgumentSlot::Surface));
+const SDIS: Item = arg("SDIS", ArgumentRole::Needs(ArgumentSlot::Clearance));
+const DP: Item = arg("DP", ArgumentRole::Takes(ArgumentSlot::Bottom));
+const DPR: Item = arg("DPR", ArgumentRole::Takes(ArgumentSlot::Depth));
+const DTB: Item = arg("DTB", ArgumentRole::Takes(ArgumentSlot::Dwell));
 
 /// Calls of Siemens.
 pub(super) const SIEMENS: &[List] = &[
@@ -129,18 +129,18 @@ pub(super) const SIEMENS: &[List] = &[
             SDIS,
             DP,
             DPR,
-            arg("FDEP", Role::Empty),
-            arg("FDPR", Role::Needs(Slot::Step)),
-            arg("DAM", Role::May(0.0)),
-            arg("DTB", Role::May(0.0)),
-            arg("DTS", Role::May(0.0)),
-            arg("FRF", Role::Must(1.0)),
-            arg("VARI", Role::Whole(Slot::Variant)),
-            arg("_AXN", Role::Empty),
-            arg("_MDEP", Role::Empty),
-            arg("_VRT", Role::Takes(Slot::OtherGap)),
-            arg("_DTD", Role::Takes(Slot::Dwell)),
-            arg("_DIS1", Role::Takes(Slot::Gap)),
+            arg("FDEP", ArgumentRole::Empty),
+            arg("FDPR", ArgumentRole::Needs(ArgumentSlot::Step)),
+            arg("DAM", ArgumentRole::May(0.0)),
+            arg("DTB", ArgumentRole::May(0.0)),
+            arg("DTS", ArgumentRole::May(0.0)),
+            arg("FRF", ArgumentRole::Must(1.0)),
+            arg("VARI", ArgumentRole::Whole(ArgumentSlot::Variant)),
+            arg("_AXN", ArgumentRole::Empty),
+            arg("_MDEP", ArgumentRole::Empty),
+            arg("_VRT", ArgumentRole::Takes(ArgumentSlot::OtherGap)),
+            arg("_DTD", ArgumentRole::Takes(ArgumentSlot::Dwell)),
+            arg("_DIS1", ArgumentRole::Takes(ArgumentSlot::Gap)),
         ],
         source: CYCLES,
     },
@@ -155,14 +155,14 @@ pub(super) const SIEMENS: &[List] = &[
             DP,
             DPR,
             DTB,
-            arg("SDAC", Role::Whole(Slot::Sense)),
-            arg("MPIT", Role::Empty),
-            arg("PIT", Role::Needs(Slot::Pitch)),
-            arg("POSS", Role::May(0.0)),
-            arg("SST", Role::Needs(Slot::Speed)),
-            arg("SST1", Role::Needs(Slot::SpeedOut)),
-            arg("_AXN", Role::Empty),
-            arg("_PITA", Role::Takes(Slot::PitchUnit)),
+            arg("SDAC", ArgumentRole::Whole(ArgumentSlot::Sense)),
+            arg("MPIT", ArgumentRole::Empty),
+            arg("PIT", ArgumentRole::Needs(ArgumentSlot::Pitch)),
+            arg("POSS", ArgumentRole::May(0.0)),
+            arg("SST", ArgumentRole::Needs(ArgumentSlot::Speed)),
+            arg("SST1", ArgumentRole::Needs(ArgumentSlot::SpeedOut)),
+            arg("_AXN", ArgumentRole::Empty),
+            arg("_PITA", ArgumentRole::Takes(ArgumentSlot::PitchUnit)),
         ],
         source: CYCLES,
     },
@@ -177,8 +177,8 @@ pub(super) const SIEMENS: &[List] = &[
             DP,
             DPR,
             DTB,
-            arg("FFR", Role::Needs(Slot::Feed)),
-            arg("RFF", Role::Needs(Slot::FeedOut)),
+            arg("FFR", ArgumentRole::Needs(ArgumentSlot::Feed)),
+            arg("RFF", ArgumentRole::Needs(ArgumentSlot::FeedOut)),
         ],
         source: CYCLES,
     },
@@ -193,11 +193,11 @@ pub(super) const SIEMENS: &[List] = &[
             DP,
             DPR,
             DTB,
-            arg("SDIR", Role::Whole(Slot::Sense)),
-            arg("RPA", Role::Needs(Slot::ShiftX)),
-            arg("RPO", Role::Needs(Slot::ShiftY)),
-            arg("RPAP", Role::May(0.0)),
-            arg("POSS", Role::Needs(Slot::Angle)),
+            arg("SDIR", ArgumentRole::Whole(ArgumentSlot::Sense)),
+            arg("RPA", ArgumentRole::Needs(ArgumentSlot::ShiftX)),
+            arg("RPO", ArgumentRole::Needs(ArgumentSlot::ShiftY)),
+            arg("RPAP", ArgumentRole::May(0.0)),
+            arg("POSS", ArgumentRole::Needs(ArgumentSlot::Angle)),
         ],
         source: CYCLES,
     },
@@ -206,21 +206,21 @@ pub(super) const SIEMENS: &[List] = &[
         number: 800,
         meaning: "tilted plane, off without arguments",
         items: &[
-            arg("_FR", Role::Must(0.0)),
-            arg("_TC", Role::Name),
-            arg("_ST", Role::Must(0.0)),
-            arg("_MODE", Role::Whole(Slot::Mode)),
-            arg("_X0", Role::Needs(Slot::X0)),
-            arg("_Y0", Role::Needs(Slot::Y0)),
-            arg("_Z0", Role::Needs(Slot::Z0)),
-            arg("_A", Role::Needs(Slot::A)),
-            arg("_B", Role::Needs(Slot::B)),
-            arg("_C", Role::Needs(Slot::C)),
-            arg("_X1", Role::Needs(Slot::X1)),
-            arg("_Y1", Role::Needs(Slot::Y1)),
-            arg("_Z1", Role::Needs(Slot::Z1)),
-            arg("_DIR", Role::Whole(Slot::Direction)),
-            arg("_FR_I", Role::May(0.0)),
+            arg("_FR", ArgumentRole::Must(0.0)),
+            arg("_TC", ArgumentRole::Name),
+            arg("_ST", ArgumentRole::Must(0.0)),
+            arg("_MODE", ArgumentRole::Whole(ArgumentSlot::Mode)),
+            arg("_X0", ArgumentRole::Needs(ArgumentSlot::X0)),
+            arg("_Y0", ArgumentRole::Needs(ArgumentSlot::Y0)),
+            arg("_Z0", ArgumentRole::Needs(ArgumentSlot::Z0)),
+            arg("_A", ArgumentRole::Needs(ArgumentSlot::A)),
+            arg("_B", ArgumentRole::Needs(ArgumentSlot::B)),
+            arg("_C", ArgumentRole::Needs(ArgumentSlot::C)),
+            arg("_X1", ArgumentRole::Needs(ArgumentSlot::X1)),
+            arg("_Y1", ArgumentRole::Needs(ArgumentSlot::Y1)),
+            arg("_Z1", ArgumentRole::Needs(ArgumentSlot::Z1)),
+            arg("_DIR", ArgumentRole::Whole(ArgumentSlot::Direction)),
+            arg("_FR_I", ArgumentRole::May(0.0)),
         ],
         source: "Siemens 840D sl programming manual, p. 334; 828D operating manual, 10.6",
     },
@@ -229,9 +229,9 @@ pub(super) const SIEMENS: &[List] = &[
         number: 832,
         meaning: "smoothing, off without arguments",
         items: &[
-            arg("S_TOL", Role::Needs(Slot::Tolerance)),
-            arg("S_TOLM", Role::Whole(Slot::Mode)),
-            arg("S_OTOL", Role::Takes(Slot::AxisTolerance)),
+            arg("S_TOL", ArgumentRole::Needs(ArgumentSlot::Tolerance)),
+            arg("S_TOLM", ArgumentRole::Whole(ArgumentSlot::Mode)),
+            arg("S_OTOL", ArgumentRole::Takes(ArgumentSlot::AxisTolerance)),
         ],
         source: ONE,
     },
@@ -239,28 +239,28 @@ pub(super) const SIEMENS: &[List] = &[
         name: "WORKPIECE",
         number: WORKPIECE,
         meaning: "blank for the graphics: \"BOX\",112,ZA,ZI,-80,XA,YA,XI,YI or \"CYLINDER\",192,ZA,ZI,ZB,XA after three gaps",
-        items: &[arg("blank", Role::Text)],
+        items: &[arg("blank", ArgumentRole::Text)],
         source: "public posts and programs of ShopMill and ShopTurn; no page of a manual was found",
     },
     List {
         name: "MSG",
         number: 0,
         meaning: "message, the program goes on",
-        items: &[arg("text", Role::Text)],
+        items: &[arg("text", ArgumentRole::Text)],
         source: "Siemens Fundamentals 05/2017 (A5E40869423), Supplementary commands",
     },
 ];
 
-const Q200: Item = q(200, "set-up clearance", Role::Needs(Slot::Clearance));
-const Q201: Item = q(201, "depth", Role::Needs(Slot::Depth));
-const Q202: Item = q(202, "plunging depth", Role::Needs(Slot::Step));
-const Q203: Item = q(203, "surface", Role::Needs(Slot::Surface));
-const Q204: Item = q(204, "second set-up clearance", Role::Needs(Slot::Return));
-const Q206: Item = q(206, "feed", Role::Needs(Slot::Feed));
-const Q211: Item = q(211, "dwell at depth", Role::Needs(Slot::Dwell));
-const Q210: Item = q(210, "dwell at top", Role::Must(0.0));
-const Q212: Item = q(212, "decrement", Role::Must(0.0));
-const Q205: Item = q(205, "least plunging depth", Role::Must(0.0));
+const Q200: Item = q(200, "set-up clearance", ArgumentRole::Needs(ArgumentSlot::Clearance));
+const Q201: Item = q(201, "depth", ArgumentRole::Needs(ArgumentSlot::Depth));
+const Q202: Item = q(202, "plunging depth", ArgumentRole::Needs(ArgumentSlot::Step));
+const Q203: Item = q(203, "surface", ArgumentRole::Needs(ArgumentSlot::Surface));
+const Q204: Item = q(204, "second set-up clearance", ArgumentRole::Needs(ArgumentSlot::Return));
+const Q206: Item = q(206, "feed", ArgumentRole::Needs(ArgumentSlot::Feed));
+const Q211: Item = q(211, "dwell at depth", ArgumentRole::Needs(ArgumentSlot::Dwell));
+const Q210: Item = q(210, "dwell at top", ArgumentRole::Must(0.0));
+const Q212: Item = q(212, "decrement", ArgumentRole::Must(0.0));
+const Q205: Item = q(205, "least plunging depth", ArgumentRole::Must(0.0));
 
 /// Cycles of Heidenhain. A parameter that is missing would keep the value of an earlier definition.
 pub(super) const HEIDENHAIN: &[List] = &[
@@ -292,7 +292,7 @@ pub(super) const HEIDENHAIN: &[List] = &[
         name: "CYCL DEF 201",
         number: 2010,
         meaning: "reaming",
-        items: &[Q200, Q201, Q206, Q211, q(208, "feed out, 0 as Q206", Role::Must(0.0)), Q203, Q204],
+        items: &[Q200, Q201, Q206, Q211, q(208, "feed out, 0 as Q206", ArgumentRole::Must(0.0)), Q203, Q204],
         source: TNC,
     },
     List {
@@ -304,11 +304,11 @@ pub(super) const HEIDENHAIN: &[List] = &[
             Q201,
             Q206,
             Q211,
-            q(208, "feed out, rapid", Role::Must(99_999.0)),
+            q(208, "feed out, rapid", ArgumentRole::Must(99_999.0)),
             Q203,
             Q204,
-            q(214, "direction off the wall", Role::Whole(Slot::Quadrant)),
-            q(336, "angle of the spindle", Role::Needs(Slot::Angle)),
+            q(214, "direction off the wall", ArgumentRole::Whole(ArgumentSlot::Quadrant)),
+            q(336, "angle of the spindle", ArgumentRole::Needs(ArgumentSlot::Angle)),
         ],
         source: TNC,
     },
@@ -325,11 +325,11 @@ pub(super) const HEIDENHAIN: &[List] = &[
             Q203,
             Q204,
             Q212,
-            q(213, "number of chip breaks", Role::Whole(Slot::Breaks)),
+            q(213, "number of chip breaks", ArgumentRole::Whole(ArgumentSlot::Breaks)),
             Q205,
             Q211,
-            q(208, "feed out, rapid", Role::Must(99_999.0)),
-            q(256, "retract that breaks the chip", Role::Needs(Slot::OtherGap)),
+            q(208, "feed out, rapid", ArgumentRole::Must(99_999.0)),
+            q(256, "retract that breaks the chip", ArgumentRole::Needs(ArgumentSlot::OtherGap)),
         ],
         source: TNC,
     },
@@ -346,13 +346,13 @@ pub(super) const HEIDENHAIN: &[List] = &[
             Q204,
             Q212,
             Q205,
-            q(258, "upper advanced stop distance", Role::Needs(Slot::Gap)),
-            q(259, "lower advanced stop distance, as Q258", Role::Needs(Slot::OtherGap)),
-            q(257, "depth for chip breaking", Role::Must(0.0)),
-            q(256, "retract that breaks the chip", Role::Must(0.2)),
+            q(258, "upper advanced stop distance", ArgumentRole::Needs(ArgumentSlot::Gap)),
+            q(259, "lower advanced stop distance, as Q258", ArgumentRole::Needs(ArgumentSlot::OtherGap)),
+            q(257, "depth for chip breaking", ArgumentRole::Must(0.0)),
+            q(256, "retract that breaks the chip", ArgumentRole::Must(0.2)),
             Q211,
-            q(379, "starting point", Role::Must(0.0)),
-            q(253, "feed to the starting point", Role::Must(99_999.0)),
+            q(379, "starting point", ArgumentRole::Must(0.0)),
+            q(253, "feed to the starting point", ArgumentRole::Must(99_999.0)),
         ],
         source: TNC,
     },
@@ -360,14 +360,14 @@ pub(super) const HEIDENHAIN: &[List] = &[
         name: "CYCL DEF 207",
         number: 2070,
         meaning: "rigid tapping",
-        items: &[Q200, Q201, q(239, "pitch", Role::Needs(Slot::Pitch)), Q203, Q204],
+        items: &[Q200, Q201, q(239, "pitch", ArgumentRole::Needs(ArgumentSlot::Pitch)), Q203, Q204],
         source: TNC,
     },
     List {
         name: "CYCL DEF 247",
         number: 2470,
         meaning: "work offset: row of the preset table",
-        items: &[q(339, "row", Role::Whole(Slot::Row))],
+        items: &[q(339, "row", ArgumentRole::Whole(ArgumentSlot::Row))],
         source: TNC,
     },
 ];

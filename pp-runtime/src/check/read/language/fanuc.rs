@@ -3,15 +3,15 @@
 use super::super::block::{coolant, settled};
 use super::super::orders::LengthCode;
 use super::group;
-use super::{Language, Means, Pattern, Plane, Row, Smoother, iso, sorted};
+use super::{CodeRow, Language, Means, Pattern, Plane, Smoother, iso, sorted};
 
 const M: &str = "Fanuc B-63944EN/02 (2004), auxiliary functions; the machine builder's list of M codes (from memory)";
 
 const RIGID: &str = "Fanuc B-63944EN/02 (2004), rigid tapping: M29 before the cycle (from memory)";
 
-const OWN: &[Row] = &[
-    Row::new("G4", Means::Dwell, group::ALONE, "Fanuc B-63944EN/02 (2004), dwell").takes("PX"),
-    Row::new(
+const OWN: &[CodeRow] = &[
+    CodeRow::new("G4", Means::Dwell, group::ALONE, "Fanuc B-63944EN/02 (2004), dwell").takes("PX"),
+    CodeRow::new(
         "G5.1",
         Means::Smoothing(Smoother::Contour),
         group::SMOOTHING,
@@ -20,14 +20,24 @@ const OWN: &[Row] = &[
     .needs("Q")
     .takes("R")
     .alone(),
-    Row::new("G43.4", Means::Length(LengthCode::TipControl), group::LENGTH, "Fanuc A-79294E, p. 11; A-79348E, p. 16")
-        .needs("H")
-        .takes("P"),
-    Row::new("G43.5", Means::Length(LengthCode::TipVector), group::LENGTH, "Fanuc A-79294E, p. 11; A-79348E, p. 16")
-        .needs("H")
-        .takes("PIJK"),
-    Row::new("G53.1", Means::Orient, group::TILT, "Fanuc B-63784EN, tool axis direction control"),
-    Row::new(
+    CodeRow::new(
+        "G43.4",
+        Means::Length(LengthCode::TipControl),
+        group::LENGTH,
+        "Fanuc A-79294E, p. 11; A-79348E, p. 16",
+    )
+    .needs("H")
+    .takes("P"),
+    CodeRow::new(
+        "G43.5",
+        Means::Length(LengthCode::TipVector),
+        group::LENGTH,
+        "Fanuc A-79294E, p. 11; A-79348E, p. 16",
+    )
+    .needs("H")
+    .takes("PIJK"),
+    CodeRow::new("G53.1", Means::Orient, group::TILT, "Fanuc B-63784EN, tool axis direction control"),
+    CodeRow::new(
         "G54.1",
         Means::FurtherOffset,
         group::OFFSET,
@@ -35,34 +45,36 @@ const OWN: &[Row] = &[
     )
     .needs("P"),
     // From memory; without their option these codes raise an alarm.
-    Row::new(
+    CodeRow::new(
         "G15",
         Means::Settles(settled::POLAR),
         group::POLAR,
         "Fanuc B-63944EN/02 (2004), polar coordinate command",
     ),
-    Row::new("G50", Means::Settles(settled::SCALING), group::SCALING, "Fanuc B-63944EN/02 (2004), scaling"),
-    Row::new(
+    CodeRow::new("G50", Means::Settles(settled::SCALING), group::SCALING, "Fanuc B-63944EN/02 (2004), scaling"),
+    CodeRow::new(
         "G54.4",
         Means::Settles(settled::SETTING_ERROR),
         group::SETTING_ERROR,
         "Fanuc A-79634E, workpiece setting error compensation",
     )
     .needs("P"),
-    Row::new("G68.2", Means::TiltedPlane(Plane::Euler), group::TILT, "Fanuc B-63784EN, tilted working plane")
+    CodeRow::new("G68.2", Means::TiltedPlane(Plane::Euler), group::TILT, "Fanuc B-63784EN, tilted working plane")
         .takes("IJK"),
-    Row::new("G69", Means::TiltOff, group::TILT, "Fanuc B-63784EN, tilted working plane"),
-    Row::new("G74", Means::Hole(Pattern::TapAfterRigid { left: true }), group::MOTION, RIGID).needs("R").takes("P"),
-    Row::new("G76", Means::Hole(Pattern::FineBore), group::MOTION, "Fanuc 15i operator's manual, p. 315")
+    CodeRow::new("G69", Means::TiltOff, group::TILT, "Fanuc B-63784EN, tilted working plane"),
+    CodeRow::new("G74", Means::Hole(Pattern::TapAfterRigid { left: true }), group::MOTION, RIGID).needs("R").takes("P"),
+    CodeRow::new("G76", Means::Hole(Pattern::FineBore), group::MOTION, "Fanuc 15i operator's manual, p. 315")
         .needs("RQ")
         .takes("P"),
-    Row::new("G84", Means::Hole(Pattern::TapAfterRigid { left: false }), group::MOTION, RIGID).needs("R").takes("P"),
-    Row::new("M7", Means::CoolantOn(coolant::MIST), group::COOLANT, M),
-    Row::new("M29", Means::Rigid, group::RIGID, RIGID).needs("S").alone(),
+    CodeRow::new("G84", Means::Hole(Pattern::TapAfterRigid { left: false }), group::MOTION, RIGID)
+        .needs("R")
+        .takes("P"),
+    CodeRow::new("M7", Means::CoolantOn(coolant::MIST), group::COOLANT, M),
+    CodeRow::new("M29", Means::Rigid, group::RIGID, RIGID).needs("S").alone(),
 ];
 
 const COUNT: usize = iso::ROWS.len() + iso::OF_TWO.len() + OWN.len();
 
-static CODES: [Row; COUNT] = sorted(&[iso::ROWS, iso::OF_TWO, OWN]);
+static CODES: [CodeRow; COUNT] = sorted(&[iso::ROWS, iso::OF_TWO, OWN]);
 
 pub(super) static LANGUAGE: Language = Language::new(&CODES, iso::LETTERS, iso::LINES, &[]);

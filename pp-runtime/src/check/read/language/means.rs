@@ -1,6 +1,6 @@
 //! Meanings of codes and words: what the interpreter executes, and what the tables print.
 
-use super::super::block::{FeedMode, Side, WorkPlane};
+use super::super::block::{FeedMode, SideOfPath, WorkPlane};
 use super::super::orders::{Code, LengthCode};
 use crate::program::{Rotation, Units};
 
@@ -28,7 +28,7 @@ pub(in super::super) enum Means {
         absolute: bool,
     },
     FeedMode(FeedMode),
-    Side(Side),
+    Side(SideOfPath),
     Length(LengthCode),
     TiltedPlane(Plane),
     Orient,
@@ -65,7 +65,7 @@ pub(in super::super) enum Means {
     ShortestWay(bool),
     CallCycle,
     Address(Address),
-    Statement(Statement),
+    Statement(StatementWord),
     /// It ends what a program before may have left, and changes nothing else: bit of `settled`. A word that it takes is 0.
     Settles(u32),
     /// It changes nothing, for this reason.
@@ -108,7 +108,7 @@ pub(in super::super) enum Address {
 
 /// Statements and keywords.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in super::super) enum Statement {
+pub(in super::super) enum StatementWord {
     ProgramNumber,
     ProgramMark,
     Guard,

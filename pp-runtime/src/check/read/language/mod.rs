@@ -18,8 +18,8 @@ mod print;
 mod siemens;
 mod texts;
 
-pub(super) use arguments::{List, Role};
-pub(super) use means::{Address, Means, PathCode, Pattern, Plane, Smoother, Statement};
+pub(super) use arguments::{ArgumentRole, List};
+pub(super) use means::{Address, Means, PathCode, Pattern, Plane, Smoother, StatementWord};
 pub(crate) use print::table;
 
 use super::Family;
@@ -69,7 +69,7 @@ pub(super) type Letters = u32;
 
 /// One code or word of a control.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Row {
+pub(super) struct CodeRow {
     /// Spelling without leading zeros; a text of several words for statements.
     pub(crate) spelling: &'static str,
     /// Letter and number of a code, for the search: letter << 24, and the number in tenths.
@@ -91,7 +91,7 @@ pub(super) struct Row {
     source: &'static str,
 }
 
-impl Row {
+impl CodeRow {
     /// A code or a word that takes no address words.
     const fn new(spelling: &'static str, means: Means, group: u32, source: &'static str) -> Self {
         let key = key(spelling);
@@ -152,22 +152,22 @@ impl Row {
 #[derive(Debug)]
 pub(super) struct Language {
     /// G and M codes in the order of their keys.
-    codes: &'static [Row],
+    codes: &'static [CodeRow],
     /// Address letters.
-    letters: &'static [Row],
+    letters: &'static [CodeRow],
     /// Address of each letter, A to Z.
     addresses: [Option<Address>; 26],
     /// Statements, keywords and words of several letters.
-    pub(crate) words: &'static [Row],
+    pub(crate) words: &'static [CodeRow],
     /// Calls and cycles with their arguments.
     pub(crate) lists: &'static [List],
 }
 
 impl Language {
     const fn new(
-        codes: &'static [Row],
-        letters: &'static [Row],
-        words: &'static [Row],
+        codes: &'static [CodeRow],
+        letters: &'static [CodeRow],
+        words: &'static [CodeRow],
         lists: &'static [List],
     ) -> Self {
         let mut addresses = [None; 26];
@@ -183,11 +183,11 @@ impl Language {
 
     /// The row of a code, its number in tenths.
     #[inline]
-    pub(super) fn code(&self, letter: u8, tenths: u32) -> Option<&'static Row> {
+    pub(super) fn code(&self, letter: u8, tenths: u32) -> Option<&'static CodeRow> {
         let wanted = u32::from(letter) << 24 | tenths;
         let row = self.codes[..self.codes.partition_point(|row| row.key <= wanted)].last()?;
         // A row of several codes is one of whole numbers.
-        let among = wanted <= row.last && tenths % 10 == Row::number(row.key) % 10;
+        let among = wanted <= row.last && tenths % 10 == CodeRow::number(row.key) % 10;
         among.then_some(row)
     }
 
@@ -198,7 +198,7 @@ impl Language {
     }
 
     /// The row of a word of several letters.
-    pub(super) fn word(&self, word: &[u8]) -> Option<&'static Row> {
+    pub(super) fn word(&self, word: &[u8]) -> Option<&'static CodeRow> {
         self.words.iter().find(|row| row.spelling.as_bytes().eq_ignore_ascii_case(word))
     }
 }
@@ -251,7 +251,7 @@ const fn key(spelling: &str) -> u32 {
 }
 
 /// Rows of several tables in the order of their keys.
-const fn sorted<const N: usize>(tables: &[&[Row]]) -> [Row; N] {
+const fn sorted<const N: usize>(tables: &[&[CodeRow]]) -> [CodeRow; N] {
     let mut rows = [tables[0][0]; N];
     let (mut table, mut length) = (0, 0);
     while table < tables.len() {

@@ -3,9 +3,9 @@
 use std::io::{self, Write};
 
 use super::super::Family;
-use super::arguments::{List, Role};
+use super::arguments::{ArgumentRole, List};
 use super::group;
-use super::{Language, Letters, Row};
+use super::{CodeRow, Language, Letters};
 
 /// Names of the columns.
 const HEADS: [&str; 8] = ["spelling", "meaning", "reads", "changes", "moves", "takes", "group", "source"];
@@ -70,16 +70,16 @@ pub(crate) fn table(family: Family, out: &mut dyn Write) -> io::Result<()> {
     language.lists.iter().try_for_each(|list| arguments(list, out))
 }
 
-fn rows(language: &Language) -> impl Iterator<Item = &'static Row> {
+fn rows(language: &Language) -> impl Iterator<Item = &'static CodeRow> {
     language.codes.iter().chain(language.letters).chain(language.words)
 }
 
-fn cells(row: &'static Row) -> [String; 8] {
+fn cells(row: &'static CodeRow) -> [String; 8] {
     let [reads, changes, moves] = row.means.effect().map(str::to_owned);
     let together = group_name(row.group).unwrap_or("-");
     let several = row.key != row.last;
     let spelling = match several {
-        true => format!("{} .. {}{}", row.spelling, &row.spelling[..1], Row::number(row.last) / 10),
+        true => format!("{} .. {}{}", row.spelling, &row.spelling[..1], CodeRow::number(row.last) / 10),
         false => row.spelling.to_owned(),
     };
     [
@@ -111,14 +111,14 @@ fn arguments(list: &List, out: &mut dyn Write) -> io::Result<()> {
     for item in list.items {
         let name = if item.number > 0 { format!("Q{} {}", item.number, item.name) } else { item.name.to_owned() };
         let meaning = match item.role {
-            Role::Must(value) => format!("must be {value}"),
-            Role::May(value) => format!("must be {value} or missing"),
-            Role::Empty => "must be missing".to_owned(),
-            Role::Name => "must be the swivel data of the configuration".to_owned(),
-            Role::Text => "text".to_owned(),
-            Role::Needs(_) => "executed".to_owned(),
-            Role::Whole(_) => "executed, a whole number".to_owned(),
-            Role::Takes(_) => "executed, may be missing".to_owned(),
+            ArgumentRole::Must(value) => format!("must be {value}"),
+            ArgumentRole::May(value) => format!("must be {value} or missing"),
+            ArgumentRole::Empty => "must be missing".to_owned(),
+            ArgumentRole::Name => "must be the swivel data of the configuration".to_owned(),
+            ArgumentRole::Text => "text".to_owned(),
+            ArgumentRole::Needs(_) => "executed".to_owned(),
+            ArgumentRole::Whole(_) => "executed, a whole number".to_owned(),
+            ArgumentRole::Takes(_) => "executed, may be missing".to_owned(),
         };
         writeln!(out, "    {name:40}  {meaning}")?;
     }

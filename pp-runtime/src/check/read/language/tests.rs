@@ -35,7 +35,7 @@ fn every_row_has_a_meaning_and_a_source() {
             assert!(!row.source.is_empty() && !row.means.text().is_empty(), "{family:?}: {}", row.spelling);
             assert!(row.means.effect().iter().all(|text| !text.is_empty()), "{family:?}: {}", row.spelling);
         }
-        let has_name = |row: &&Row| row.group == group::FREE || group_name(row.group).is_some();
+        let has_name = |row: &&CodeRow| row.group == group::FREE || group_name(row.group).is_some();
         let nameless: Vec<&str> = language.codes.iter().filter(|row| !has_name(row)).map(|row| row.spelling).collect();
         assert_eq!(nameless, [""; 0], "{family:?}");
         let mut printed = Vec::new();

@@ -1,8 +1,8 @@
 //! What codes and words mean, in words of the shop: the texts of the printed table.
 
-use super::super::block::{FeedMode, Side, settled};
+use super::super::block::{FeedMode, SideOfPath, settled};
 use super::super::orders::{Code, LengthCode};
-use super::{Address, Means, PathCode, Pattern, Plane, Statement};
+use super::{Address, Means, PathCode, Pattern, Plane, StatementWord};
 use crate::program::{Rotation, Units};
 
 impl Means {
@@ -44,9 +44,9 @@ impl Means {
             Self::FeedMode(FeedMode::PerMinute) => "feed per minute",
             Self::FeedMode(FeedMode::InverseTime) => "inverse-time feed",
             Self::FeedMode(FeedMode::PerRevolution) => "feed per revolution",
-            Self::Side(Side::None) => "cutter compensation off",
-            Self::Side(Side::Left) => "cutter compensation left",
-            Self::Side(Side::Right) => "cutter compensation right",
+            Self::Side(SideOfPath::None) => "cutter compensation off",
+            Self::Side(SideOfPath::Left) => "cutter compensation left",
+            Self::Side(SideOfPath::Right) => "cutter compensation right",
             Self::Length(LengthCode::Off) => "length compensation off",
             Self::Length(LengthCode::On) => "length compensation on",
             Self::Length(LengthCode::TipControl) => "tip control with length compensation",
@@ -193,7 +193,7 @@ impl Address {
     }
 }
 
-impl Statement {
+impl StatementWord {
     fn text(self) -> &'static str {
         match self {
             Self::ProgramNumber => "program number, before the first block only",

@@ -1,8 +1,8 @@
 //! Holes: of a canned cycle, whose words stay in force until another motion code, of a defined cycle, and of G33.1.
 
-use super::super::block::{Action, CycleKind, CycleMove, Fault, FeedMode, FineBore, MAX_AXES};
+use super::super::block::{Action, BlockFault, CycleKind, CycleMove, FeedMode, FineBore, MAX_AXES};
 use super::super::language::Pattern;
-use super::super::orders::{AxisWords, CannedWords, Cycle, Motion, fault};
+use super::super::orders::{CannedWords, Cycle, MotionOrder, WrittenAxisWords, fault};
 use super::Interpreter;
 use crate::program::Rotation;
 
@@ -21,7 +21,7 @@ pub(super) struct Canned {
 
 impl Interpreter {
     /// Takes words of a canned cycle: R counts from where the tool is while distances are programmed.
-    pub(super) fn set_canned(&mut self, words: CannedWords, faults: &mut Vec<Fault>) {
+    pub(super) fn set_canned(&mut self, words: CannedWords, faults: &mut Vec<BlockFault>) {
         let (unit, rigid) = (self.unit(), self.motion.rigid);
         if let Some(pattern) = words.begins {
             if rigid && !matches!(pattern, Pattern::Tap { .. } | Pattern::TapAfterRigid { .. }) {
@@ -52,7 +52,7 @@ impl Interpreter {
     }
 
     /// The hole of the canned cycle, where the axes are; the word along the normal is its bottom.
-    pub(super) fn canned_hole(&mut self, words: &AxisWords, faults: &mut Vec<Fault>) -> Action {
+    pub(super) fn canned_hole(&mut self, words: &WrittenAxisWords, faults: &mut Vec<BlockFault>) -> Action {
         let unit = self.unit();
         let begins = self.motion.canned.is_some_and(|canned| canned.bottom.is_none());
         let across = words.written & !self.axes.rotary & !self.normal().map_or(0, |normal| 1 << normal);
@@ -120,7 +120,7 @@ impl Interpreter {
     }
 
     /// The hole of the cycle that is defined, where the axes are.
-    pub(super) fn hole(&mut self, faults: &mut Vec<Fault>) -> Action {
+    pub(super) fn hole(&mut self, faults: &mut Vec<BlockFault>) -> Action {
         let (Some(cycle), Some(normal)) = (self.motion.cycle, self.normal()) else {
             fault(faults, 0, "cycle call without a cycle definition, or without a working plane");
             return Action::Nothing;
@@ -146,7 +146,12 @@ impl Interpreter {
     }
 
     /// G33.1 to a depth along the normal; it comes back to where it began.
-    pub(super) fn rigid_tap(&mut self, motion: &Motion, from: [f64; MAX_AXES], faults: &mut Vec<Fault>) -> Action {
+    pub(super) fn rigid_tap(
+        &mut self,
+        motion: &MotionOrder,
+        from: [f64; MAX_AXES],
+        faults: &mut Vec<BlockFault>,
+    ) -> Action {
         let (Some(pitch), Some(normal)) = (motion.pitch, self.normal()) else {
             fault(faults, 0, "thread without a pitch, or without a working plane");
             return Action::Nothing;

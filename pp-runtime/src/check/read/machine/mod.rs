@@ -10,9 +10,9 @@ mod motion;
 
 use super::super::policy::RolloverRule;
 use super::block::{Action, Block, MAX_AXES, State, TipControl, stated};
-use super::facts::{Facts, Form};
+use super::facts::{Facts, LineForm};
 use super::language::{Letters, Pattern};
-use super::orders::{Act, Code, Cycle, Mode, Motion, Orders, effect, fault};
+use super::orders::{Act, Code, Cycle, ModeOrder, MotionOrder, Orders, effect, fault};
 use crate::program::Units;
 use hole::Canned;
 
@@ -97,12 +97,12 @@ pub(super) struct Interpreter {
     stated: u8,
     /// Bits of [`settled`], since the last motion: those before the block that begins a complete state belong to it.
     settled: u32,
-    frames: Frames,
+    frames: FrameBits,
 }
 
 /// Tip control, tilted plane and dynamic work offset, as bits: a line of the user may leave any of them on.
 #[derive(Debug, Clone, Copy, Default)]
-struct Frames {
+struct FrameBits {
     /// Those of which it is unknown whether they are on.
     unknown: u8,
     /// Those that the program has switched on.
@@ -111,7 +111,7 @@ struct Frames {
     stated: u8,
 }
 
-impl Frames {
+impl FrameBits {
     const TIP_CONTROL: u8 = 1;
     const PLANE: u8 = 2;
     const DYNAMIC_OFFSET: u8 = 4;
@@ -162,7 +162,7 @@ impl Interpreter {
             motion: MotionModes::default(),
             stated: 0,
             settled: 0,
-            frames: Frames::default(),
+            frames: FrameBits::default(),
         }
     }
 
@@ -188,15 +188,15 @@ impl Interpreter {
         self.frames.used |= before.frames.used;
         self.frames.stated &= before.frames.stated;
         if now.tip_control != then.tip_control {
-            self.frames.unknown |= Frames::TIP_CONTROL;
+            self.frames.unknown |= FrameBits::TIP_CONTROL;
             now.tip_control = TipControl::Off;
         }
         if now.tilt != then.tilt {
-            self.frames.unknown |= Frames::PLANE;
+            self.frames.unknown |= FrameBits::PLANE;
             now.tilt = None;
         }
         if now.dynamic_offset != then.dynamic_offset {
-            self.frames.unknown |= Frames::DYNAMIC_OFFSET;
+            self.frames.unknown |= FrameBits::DYNAMIC_OFFSET;
             now.dynamic_offset = false;
         }
         now.join(then);
@@ -265,7 +265,7 @@ impl Interpreter {
     }
 
     /// Moves the axes by a line of words of axes and F alone.
-    pub(super) fn move_along(&mut self, motion: &Motion, feed: Option<f64>, block: &mut Block) {
+    pub(super) fn move_along(&mut self, motion: &MotionOrder, feed: Option<f64>, block: &mut Block) {
         (block.written, block.only_moves, block.looked_over) = (motion.axes.written, true, 1);
         (block.frame_faults, block.restart, block.early, block.goes_on) = (0, false, None, false);
         block.forget_guards();
@@ -288,7 +288,7 @@ impl Interpreter {
         block.frame_faults = orders.frame_faults;
         block.only_moves = orders.only_moves();
         block.looked_over = if orders.stops_look_ahead { u8::MAX } else { u8::from(orders.speaks) };
-        block.restart = orders.has(|mode| matches!(mode, Mode::Restart | Mode::Units(_)));
+        block.restart = orders.has(|mode| matches!(mode, ModeOrder::Restart | ModeOrder::Units(_)));
         block.forget_guards();
         (block.early, block.goes_on) = (None, false);
         self.thread(orders, block);
@@ -384,21 +384,21 @@ impl Interpreter {
 
     /// After M29 its thread comes.
     fn thread(&mut self, orders: &Orders, block: &mut Block) {
-        let is_thread = |mode: &Mode| matches!(mode, Mode::Canned(words) if matches!(words.begins, Some(Pattern::TapAfterRigid { .. })));
+        let is_thread = |mode: &ModeOrder| matches!(mode, ModeOrder::Canned(words) if matches!(words.begins, Some(Pattern::TapAfterRigid { .. })));
         if !orders.speaks && block.faults.is_empty() {
             return;
         }
         if std::mem::take(&mut self.motion.thread_due) && !orders.has(is_thread) {
             block.faults.insert(
                 block.frame_faults,
-                super::block::Fault {
+                super::block::BlockFault {
                     column: 1,
                     text: "M29 in the block before: expected its thread here, G84 or G74".to_owned(),
                 },
             );
             block.frame_faults += 1;
         }
-        self.motion.thread_due = orders.has(|mode| *mode == Mode::Rigid) && !orders.has(is_thread);
+        self.motion.thread_due = orders.has(|mode| *mode == ModeOrder::Rigid) && !orders.has(is_thread);
     }
 
     /// Records the states that the block programs explicitly.
@@ -412,17 +412,17 @@ impl Interpreter {
         let (mut modes, mut bits) = (0_u8, 0);
         for mode in orders.all_modes() {
             match mode {
-                Mode::Units(_) => modes |= 1,
-                Mode::Plane(_) => modes |= 2,
-                Mode::Incremental(_) => modes |= 4,
-                Mode::Side(_) => modes |= 8,
-                Mode::FeedMode(_) => modes |= 16,
-                Mode::Speed(_) => bits |= stated::SPEED,
-                Mode::Tool(_) => bits |= stated::TOOL,
-                Mode::Spindle(_) => bits |= stated::SPINDLE,
-                Mode::CoolantOn(_) | Mode::CoolantOff(_) => bits |= stated::COOLANT,
-                Mode::Length(code, _) if *code != super::orders::LengthCode::Off => bits |= stated::LENGTH,
-                Mode::WorkOffset(_) => bits |= stated::OFFSET,
+                ModeOrder::Units(_) => modes |= 1,
+                ModeOrder::Plane(_) => modes |= 2,
+                ModeOrder::Incremental(_) => modes |= 4,
+                ModeOrder::Side(_) => modes |= 8,
+                ModeOrder::FeedMode(_) => modes |= 16,
+                ModeOrder::Speed(_) => bits |= stated::SPEED,
+                ModeOrder::Tool(_) => bits |= stated::TOOL,
+                ModeOrder::Spindle(_) => bits |= stated::SPINDLE,
+                ModeOrder::CoolantOn(_) | ModeOrder::CoolantOff(_) => bits |= stated::COOLANT,
+                ModeOrder::Length(code, _) if *code != super::orders::LengthCode::Off => bits |= stated::LENGTH,
+                ModeOrder::WorkOffset(_) => bits |= stated::OFFSET,
                 _ => {}
             }
         }
@@ -433,7 +433,7 @@ impl Interpreter {
             }
         }
         self.stated |= bits;
-        if self.stated & stated::SPEED == 0 && orders.has(|mode| matches!(mode, Mode::Spindle(Some(_)))) {
+        if self.stated & stated::SPEED == 0 && orders.has(|mode| matches!(mode, ModeOrder::Spindle(Some(_)))) {
             fault(&mut block.faults, 0, "the spindle starts, and no S has been programmed since the complete state");
         }
     }
@@ -472,7 +472,7 @@ impl Interpreter {
             let State { units, incremental, .. } = self.state;
             self.state = State { lost_at: Some(block.line), ..State::default() };
             // The unit of a program in statements is that of its first line, and each word of it has its own I.
-            if self.facts.form == Form::Statements {
+            if self.facts.form == LineForm::Statements {
                 (self.state.units, self.state.incremental) = (units, incremental);
             }
             (self.motion, self.stated, self.settled) = (MotionModes::default(), 0, 0);
@@ -490,12 +490,12 @@ impl Interpreter {
         (state.work_offset, state.cancelled_offset, state.side, state.feed) = (None, None, None, None);
         (state.in_plane, state.in_workpiece, state.path_mode) = (None, None, None);
         // Words of a program in statements have the unit of its first line, and each its own I.
-        if self.facts.form != Form::Statements {
+        if self.facts.form != LineForm::Statements {
             (state.units, state.incremental, state.plane, state.feed_mode) = (None, None, None, None);
             state.absolute_centres = None;
             state.side_unknown = true;
         }
-        if self.facts.form == Form::Letters {
+        if self.facts.form == LineForm::Letters {
             state.length = None;
         }
         (self.motion.code, self.motion.cycle, self.motion.canned) = (None, None, None);

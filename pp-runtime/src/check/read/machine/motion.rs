@@ -3,14 +3,14 @@
 use std::f64::consts::TAU;
 
 use super::super::super::policy::RolloverRule;
-use super::super::block::{Action, Block, Fault, Length, MAX_AXES, set_bits};
-use super::super::orders::{ArcWords, AxisWords, Code, Mode, Motion, Orders, fault};
+use super::super::block::{Action, Block, BlockFault, Length, MAX_AXES, set_bits};
+use super::super::orders::{ArcWords, Code, ModeOrder, MotionOrder, Orders, WrittenAxisWords, fault};
 use super::{Act, Interpreter, arc};
 use crate::check::tolerances::{ROLLOVER_NOISE, SAME_ROTARY_WORD};
 
 impl Interpreter {
     /// A motion by the motion code in force.
-    pub(super) fn moving(&mut self, motion: &Motion, block: &mut Block) -> Action {
+    pub(super) fn moving(&mut self, motion: &MotionOrder, block: &mut Block) -> Action {
         let rotary = motion.axes.written & self.axes.rotary;
         let code = match self.motion.code {
             None | Some(Code::None) if motion.axes.written != 0 => {
@@ -56,7 +56,7 @@ impl Interpreter {
     }
 
     /// A motion code without axis words, which some controls execute all the same.
-    pub(super) fn code_alone(&self, orders: &Orders, faults: &mut Vec<Fault>) {
+    pub(super) fn code_alone(&self, orders: &Orders, faults: &mut Vec<BlockFault>) {
         let moves = orders.acts.iter().any(|act| match act {
             Act::Move(motion) => motion.axes.written != 0 || motion.arc != ArcWords::default(),
             _ => false,
@@ -64,7 +64,7 @@ impl Interpreter {
         if moves || !self.facts.motion_codes_execute {
             return;
         }
-        match orders.find(|mode| if let Mode::Motion(code, _) = mode { Some(*code) } else { None }) {
+        match orders.find(|mode| if let ModeOrder::Motion(code, _) = mode { Some(*code) } else { None }) {
             Some(Code::Feed) if self.state.feed.is_none() => fault(faults, 0, "G1 while no F is in force"),
             Some(Code::Clockwise | Code::CounterClockwise) => fault(faults, 0, "an arc without its words"),
             _ => {}
@@ -72,7 +72,7 @@ impl Interpreter {
     }
 
     /// Rotary words that have moved their axes take them out of the tilted plane, and its zero from under the table.
-    fn left_plane(&mut self, rotary: u16, (from, known): ([f64; MAX_AXES], u16), faults: &mut Vec<Fault>) {
+    fn left_plane(&mut self, rotary: u16, (from, known): ([f64; MAX_AXES], u16), faults: &mut Vec<BlockFault>) {
         let moved =
             |index: usize| known & (1 << index) == 0 || (self.values[index] - from[index]).abs() > SAME_ROTARY_WORD;
         if (self.state.tilt.is_some() || self.state.dynamic_offset) && set_bits(rotary).any(moved) {
@@ -81,7 +81,7 @@ impl Interpreter {
     }
 
     /// A rotary axis leaves the frame that was set at its angle.
-    fn rotates(&mut self, faults: &mut Vec<Fault>) {
+    fn rotates(&mut self, faults: &mut Vec<BlockFault>) {
         if self.state.dynamic_offset {
             fault(faults, 0, "a rotary axis moves while the dynamic work offset is active");
         }
@@ -91,7 +91,7 @@ impl Interpreter {
     }
 
     /// Puts the words of a block as machine coordinates, or as distances from the position, into its values.
-    fn put_words(&self, words: &AxisWords, block: &mut Block) {
+    fn put_words(&self, words: &WrittenAxisWords, block: &mut Block) {
         let unit = self.unit();
         for index in set_bits(words.written) {
             block.values[index] = self.value(index, words, unit);
@@ -100,7 +100,7 @@ impl Interpreter {
     }
 
     /// Axes have left their positions in the program.
-    fn lose(&mut self, written: u16, faults: &mut Vec<Fault>) {
+    fn lose(&mut self, written: u16, faults: &mut Vec<BlockFault>) {
         self.known &= !written;
         if written & self.axes.rotary != 0 {
             self.rotates(faults);
@@ -108,7 +108,7 @@ impl Interpreter {
     }
 
     /// To the reference position: the axes of the block through the point of their words, all axes if there is none.
-    pub(super) fn reference(&mut self, words: &AxisWords, block: &mut Block) -> Action {
+    pub(super) fn reference(&mut self, words: &WrittenAxisWords, block: &mut Block) -> Action {
         self.put_words(words, block);
         let distances = self.state.incremental == Some(true);
         for index in set_bits(if distances { words.written } else { 0 }) {
@@ -142,7 +142,7 @@ impl Interpreter {
         Action::EndOfTravel
     }
 
-    pub(super) fn machine_block(&mut self, words: &AxisWords, block: &mut Block) -> Action {
+    pub(super) fn machine_block(&mut self, words: &WrittenAxisWords, block: &mut Block) -> Action {
         self.put_words(words, block);
         self.lose(words.written, &mut block.faults);
         if self.motion.code != Some(Code::Rapid) {
@@ -166,7 +166,7 @@ impl Interpreter {
     }
 
     /// Puts the axes where their words say.
-    fn place(&mut self, words: &AxisWords, cycle: bool, faults: &mut Vec<Fault>) {
+    fn place(&mut self, words: &WrittenAxisWords, cycle: bool, faults: &mut Vec<BlockFault>) {
         // In a canned cycle the word along the normal is the bottom of the hole.
         let bottom = if cycle { self.normal().map_or(0, |normal| 1 << normal) } else { 0 };
         let distances = self.distances(words);
@@ -184,13 +184,19 @@ impl Interpreter {
     }
 
     /// Words that are distances: bits.
-    pub(super) fn distances(&self, words: &AxisWords) -> u16 {
+    pub(super) fn distances(&self, words: &WrittenAxisWords) -> u16 {
         words.incremental | if self.state.incremental == Some(true) { !words.absolute } else { 0 }
     }
 
     /// Puts the axes whose ends depend on where they are: words are distances, or the control chooses the path.
     #[inline(never)]
-    fn place_relative(&mut self, words: &AxisWords, relative: u16, distances: u16, faults: &mut Vec<Fault>) {
+    fn place_relative(
+        &mut self,
+        words: &WrittenAxisWords,
+        relative: u16,
+        distances: u16,
+        faults: &mut Vec<BlockFault>,
+    ) {
         let unit = self.unit();
         for index in set_bits(relative) {
             let (bit, value) = (1 << index, self.value(index, words, unit));
@@ -204,13 +210,13 @@ impl Interpreter {
 
     /// Value of a word, mm or rad.
     #[inline]
-    pub(super) fn value(&self, index: usize, words: &AxisWords, unit: f64) -> f64 {
+    pub(super) fn value(&self, index: usize, words: &WrittenAxisWords, unit: f64) -> f64 {
         let word = words.values[index];
         if self.axes.rotary & (1 << index) != 0 { word.to_radians() } else { word * unit }
     }
 
     /// Value of an axis after a word that is a distance.
-    fn farther(&self, index: usize, by: f64, faults: &mut Vec<Fault>) -> f64 {
+    fn farther(&self, index: usize, by: f64, faults: &mut Vec<BlockFault>) -> f64 {
         if self.known & !self.turned & (1 << index) == 0 {
             fault(faults, 0, "incremental motion from an unknown position");
         }
@@ -218,7 +224,7 @@ impl Interpreter {
     }
 
     /// Where a rotary axis ends whose word says `value`, on a control that chooses the path there.
-    fn rotated(&self, index: usize, value: f64, faults: &mut Vec<Fault>) -> f64 {
+    fn rotated(&self, index: usize, value: f64, faults: &mut Vec<BlockFault>) -> f64 {
         // Where the set-up says which axes roll over, the shortest path is for these.
         let any = if self.state.shortest && !self.axes.has_rollover { Some(RolloverRule::Shortest) } else { None };
         let Some(rule) = self.axis(index).rollover.or(any) else { return value };

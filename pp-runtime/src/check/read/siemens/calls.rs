@@ -1,17 +1,17 @@
 //! Calls of a Siemens control by their lists of arguments: cycles at a point, CYCLE800, CYCLE832, MSG.
 
-use super::super::block::{BlankPart, CycleKind, FineBore, Smoothing};
+use super::super::block::{BlankPart, CycleKind, FineBore, PathSmoothing};
 use super::super::frames;
-use super::super::language::arguments::{Item, SLOTS, Slot, WORKPIECE};
-use super::super::language::{List, Role};
+use super::super::language::arguments::{ArgumentSlot, Item, SLOTS, WORKPIECE};
+use super::super::language::{ArgumentRole, List};
 use super::super::line::Line;
-use super::super::orders::{Cycle, Mode, TiltCode};
+use super::super::orders::{Cycle, ModeOrder, TiltCode};
 use super::super::text::same;
 use super::Calls;
 use crate::program::{Rotation, Units};
 
 /// Numbers of a call by their slots.
-struct Numbers([Option<f64>; SLOTS]);
+struct CallNumbers([Option<f64>; SLOTS]);
 
 /// An argument of a call.
 enum Argument<'a> {
@@ -20,13 +20,13 @@ enum Argument<'a> {
     Text(&'a [u8]),
 }
 
-impl Numbers {
-    fn get(&self, slot: Slot) -> Option<f64> {
+impl CallNumbers {
+    fn get(&self, slot: ArgumentSlot) -> Option<f64> {
         self.0[slot as usize]
     }
 
     /// One that the list needs.
-    fn value(&self, slot: Slot) -> f64 {
+    fn value(&self, slot: ArgumentSlot) -> f64 {
         self.get(slot).unwrap_or_default()
     }
 }
@@ -38,7 +38,7 @@ pub(super) fn call(line: &mut Line<'_>, name: &[u8], calls: &mut Calls, start: u
     };
     if list.number == WORKPIECE {
         let part = workpiece(line);
-        part.into_iter().for_each(|part| line.orders.mode(Mode::Blank(part)));
+        part.into_iter().for_each(|part| line.orders.mode(ModeOrder::Blank(part)));
         return part.is_some();
     }
     // A plane and smoothing are switched in a block of their own.
@@ -50,7 +50,7 @@ pub(super) fn call(line: &mut Line<'_>, name: &[u8], calls: &mut Calls, start: u
     if line.at.take(b')') {
         match list.number {
             800 => line.tilt(TiltCode::Off),
-            832 => line.orders.mode(Mode::Smoothing(Smoothing::Off, None)),
+            832 => line.orders.mode(ModeOrder::Smoothing(PathSmoothing::Off, None)),
             0 => {}
             _ => return false,
         }
@@ -96,8 +96,8 @@ fn workpiece(line: &mut Line<'_>) -> Option<BlankPart> {
 }
 
 /// The arguments up to the closing bracket, each by its role.
-fn arguments(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
-    let mut numbers = Numbers([None; SLOTS]);
+fn arguments(line: &mut Line<'_>, list: &List) -> Option<CallNumbers> {
+    let mut numbers = CallNumbers([None; SLOTS]);
     let mut index = 0;
     loop {
         line.at.blanks();
@@ -126,26 +126,28 @@ fn arguments(line: &mut Line<'_>, list: &List) -> Option<Numbers> {
     Some(numbers)
 }
 
-fn take(line: &mut Line<'_>, list: &List, item: &Item, argument: &Argument<'_>, numbers: &mut Numbers) {
+fn take(line: &mut Line<'_>, list: &List, item: &Item, argument: &Argument<'_>, numbers: &mut CallNumbers) {
     let expected = match (item.role, argument) {
-        (Role::Whole(slot), Argument::Number(value)) if value.fract() == 0.0 => {
+        (ArgumentRole::Whole(slot), Argument::Number(value)) if value.fract() == 0.0 => {
             numbers.0[slot as usize] = Some(*value);
             return;
         }
-        (Role::Whole(_), _) => "a whole number".to_owned(),
-        (Role::Needs(slot) | Role::Takes(slot), Argument::Number(value)) => {
+        (ArgumentRole::Whole(_), _) => "a whole number".to_owned(),
+        (ArgumentRole::Needs(slot) | ArgumentRole::Takes(slot), Argument::Number(value)) => {
             numbers.0[slot as usize] = Some(*value);
             return;
         }
-        (Role::Must(wanted) | Role::May(wanted), Argument::Number(value)) if same(wanted, *value) => return,
-        (Role::Takes(_) | Role::May(_) | Role::Empty, Argument::Gap) => return,
-        (Role::Name, Argument::Text(name)) if *name == line.vocabulary().swivel_data.as_bytes() => return,
-        (Role::Text, Argument::Text(_)) => return,
-        (Role::Must(wanted) | Role::May(wanted), _) => wanted.to_string(),
-        (Role::Needs(_) | Role::Takes(_), _) => "a number".to_owned(),
-        (Role::Empty, _) => "no value".to_owned(),
-        (Role::Name, _) => format!("\"{}\"", line.vocabulary().swivel_data),
-        (Role::Text, _) => "a text".to_owned(),
+        (ArgumentRole::Must(wanted) | ArgumentRole::May(wanted), Argument::Number(value)) if same(wanted, *value) => {
+            return;
+        }
+        (ArgumentRole::Takes(_) | ArgumentRole::May(_) | ArgumentRole::Empty, Argument::Gap) => return,
+        (ArgumentRole::Name, Argument::Text(name)) if *name == line.vocabulary().swivel_data.as_bytes() => return,
+        (ArgumentRole::Text, Argument::Text(_)) => return,
+        (ArgumentRole::Must(wanted) | ArgumentRole::May(wanted), _) => wanted.to_string(),
+        (ArgumentRole::Needs(_) | ArgumentRole::Takes(_), _) => "a number".to_owned(),
+        (ArgumentRole::Empty, _) => "no value".to_owned(),
+        (ArgumentRole::Name, _) => format!("\"{}\"", line.vocabulary().swivel_data),
+        (ArgumentRole::Text, _) => "a text".to_owned(),
     };
     let found = match argument {
         Argument::Gap => "missing".to_owned(),
@@ -156,10 +158,10 @@ fn take(line: &mut Line<'_>, list: &List, item: &Item, argument: &Argument<'_>, 
 }
 
 /// CYCLE81 and its kin.
-fn cycle(line: &mut Line<'_>, number: u32, numbers: &Numbers) -> Option<Cycle> {
-    let surface = numbers.value(Slot::Surface);
-    let clearance = numbers.value(Slot::Clearance);
-    let bottom = match (numbers.get(Slot::Bottom), numbers.get(Slot::Depth)) {
+fn cycle(line: &mut Line<'_>, number: u32, numbers: &CallNumbers) -> Option<Cycle> {
+    let surface = numbers.value(ArgumentSlot::Surface);
+    let clearance = numbers.value(ArgumentSlot::Clearance);
+    let bottom = match (numbers.get(ArgumentSlot::Bottom), numbers.get(ArgumentSlot::Depth)) {
         (Some(bottom), None) => bottom,
         (None, Some(depth)) if depth >= 0.0 => surface - depth,
         _ => {
@@ -174,17 +176,17 @@ fn cycle(line: &mut Line<'_>, number: u32, numbers: &Numbers) -> Option<Cycle> {
     let kind = match number {
         81 | 82 => CycleKind::Drill,
         83 => {
-            let step = numbers.value(Slot::Step);
+            let step = numbers.value(ArgumentSlot::Step);
             if step <= 0.0 {
                 line.fault(0, format!("FDPR is {step}, expected more than 0"));
             }
-            match numbers.value(Slot::Variant) {
+            match numbers.value(ArgumentSlot::Variant) {
                 1.0 => {
-                    gap = numbers.get(Slot::Gap);
+                    gap = numbers.get(ArgumentSlot::Gap);
                     CycleKind::Peck(step)
                 }
                 variant => {
-                    gap = numbers.get(Slot::OtherGap);
+                    gap = numbers.get(ArgumentSlot::OtherGap);
                     if variant != 0.0 {
                         line.fault(0, format!("VARI is {variant}, expected 0 or 1"));
                     }
@@ -195,11 +197,11 @@ fn cycle(line: &mut Line<'_>, number: u32, numbers: &Numbers) -> Option<Cycle> {
         84 => thread(line, numbers),
         86 => {
             sense(line, "SDIR", numbers);
-            let shift = [Slot::ShiftX, Slot::ShiftY].map(|slot| numbers.value(slot));
-            CycleKind::FineBore(FineBore::by_shift(shift, Some(numbers.value(Slot::Angle))))
+            let shift = [ArgumentSlot::ShiftX, ArgumentSlot::ShiftY].map(|slot| numbers.value(slot));
+            CycleKind::FineBore(FineBore::by_shift(shift, Some(numbers.value(ArgumentSlot::Angle))))
         }
         85 => {
-            let (into, out) = (numbers.value(Slot::Feed), numbers.value(Slot::FeedOut));
+            let (into, out) = (numbers.value(ArgumentSlot::Feed), numbers.value(ArgumentSlot::FeedOut));
             if !same(into, out) {
                 line.fault(0, format!("RFF of CYCLE85 is {out}, expected {into} as FFR"));
             }
@@ -208,7 +210,7 @@ fn cycle(line: &mut Line<'_>, number: u32, numbers: &Numbers) -> Option<Cycle> {
         }
         _ => return None,
     };
-    let (reference, back) = (surface + clearance, numbers.value(Slot::Return));
+    let (reference, back) = (surface + clearance, numbers.value(ArgumentSlot::Return));
     if back < reference && !same(back, reference) {
         line.fault(
             0,
@@ -218,12 +220,12 @@ fn cycle(line: &mut Line<'_>, number: u32, numbers: &Numbers) -> Option<Cycle> {
         );
     }
     let back_to = Some(back);
-    Some(Cycle { kind, reference, bottom, back_to, dwell: numbers.value(Slot::Dwell), feed, gap })
+    Some(Cycle { kind, reference, bottom, back_to, dwell: numbers.value(ArgumentSlot::Dwell), feed, gap })
 }
 
 /// The sense of rotation in a cycle is that of the spindle.
-fn sense(line: &mut Line<'_>, name: &str, numbers: &Numbers) {
-    let sense = match numbers.value(Slot::Sense) {
+fn sense(line: &mut Line<'_>, name: &str, numbers: &CallNumbers) {
+    let sense = match numbers.value(ArgumentSlot::Sense) {
         3.0 => Rotation::Clockwise,
         4.0 => Rotation::CounterClockwise,
         other => return line.fault(0, format!("{name} is {other}, expected 3 or 4")),
@@ -234,16 +236,16 @@ fn sense(line: &mut Line<'_>, name: &str, numbers: &Numbers) {
 }
 
 /// CYCLE84: the pitch in the unit of the program. Sense and speeds are those of the spindle.
-fn thread(line: &mut Line<'_>, numbers: &Numbers) -> CycleKind {
+fn thread(line: &mut Line<'_>, numbers: &CallNumbers) -> CycleKind {
     sense(line, "SDAC", numbers);
     let state = line.machine().state();
-    let speed = numbers.value(Slot::Speed);
-    let out = numbers.value(Slot::SpeedOut);
+    let speed = numbers.value(ArgumentSlot::Speed);
+    let out = numbers.value(ArgumentSlot::SpeedOut);
     let wanted = state.speed.unwrap_or(speed);
     if !same(speed, wanted) || !same(out, wanted) {
         line.fault(0, format!("SST and SST1 are {speed} and {out}, expected S of the spindle, {wanted}"));
     }
-    let unit = match numbers.get(Slot::PitchUnit) {
+    let unit = match numbers.get(ArgumentSlot::PitchUnit) {
         None => line.machine().unit(),
         Some(1.0) => 1.0,
         Some(3.0) => Units::Inches.in_mm(),
@@ -252,20 +254,21 @@ fn thread(line: &mut Line<'_>, numbers: &Numbers) -> CycleKind {
             1.0
         }
     };
-    CycleKind::Tap(numbers.value(Slot::Pitch) * unit / line.machine().unit())
+    CycleKind::Tap(numbers.value(ArgumentSlot::Pitch) * unit / line.machine().unit())
 }
 
 /// CYCLE800 with a new plane, axis by axis.
-fn swivel(line: &mut Line<'_>, numbers: &Numbers) {
-    let angles = [Slot::A, Slot::B, Slot::C].map(|slot| numbers.value(slot));
-    let vector = |slots: [Slot; 3]| nalgebra::Vector3::from(slots.map(|slot| numbers.value(slot)));
-    let mode = numbers.value(Slot::Mode);
+fn swivel(line: &mut Line<'_>, numbers: &CallNumbers) {
+    let angles = [ArgumentSlot::A, ArgumentSlot::B, ArgumentSlot::C].map(|slot| numbers.value(slot));
+    let vector = |slots: [ArgumentSlot; 3]| nalgebra::Vector3::from(slots.map(|slot| numbers.value(slot)));
+    let mode = numbers.value(ArgumentSlot::Mode);
     let rotation = if mode >= 0.0 && mode.fract() == 0.0 { frames::axis_by_axis(mode as u32, angles) } else { None };
     let Some(rotation) = rotation else {
         return line.fault(0, format!("_MODE of CYCLE800 is {mode}, expected one axis by axis: 57 or 27"));
     };
-    let origin = vector([Slot::X0, Slot::Y0, Slot::Z0]) + rotation * vector([Slot::X1, Slot::Y1, Slot::Z1]);
-    let direction = numbers.value(Slot::Direction);
+    let origin = vector([ArgumentSlot::X0, ArgumentSlot::Y0, ArgumentSlot::Z0])
+        + rotation * vector([ArgumentSlot::X1, ArgumentSlot::Y1, ArgumentSlot::Z1]);
+    let direction = numbers.value(ArgumentSlot::Direction);
     let pose = match direction {
         -1.0 => Some(false),
         1.0 => Some(true),
@@ -278,9 +281,9 @@ fn swivel(line: &mut Line<'_>, numbers: &Numbers) {
 }
 
 /// CYCLE832: units of the second argument are the level, tens whether the third is an angle.
-fn smooth(line: &mut Line<'_>, numbers: &Numbers) {
-    let mode = numbers.value(Slot::Mode);
-    let angle = numbers.get(Slot::AxisTolerance);
+fn smooth(line: &mut Line<'_>, numbers: &CallNumbers) {
+    let mode = numbers.value(ArgumentSlot::Mode);
+    let angle = numbers.get(ArgumentSlot::AxisTolerance);
     let level = match mode {
         0.0 => None,
         1.0 | 2.0 | 3.0 | 4.0 if angle.is_some_and(|angle| same(angle, 1.0)) => Some(mode as u8),
@@ -292,10 +295,10 @@ fn smooth(line: &mut Line<'_>, numbers: &Numbers) {
         _ => return line.fault(0, format!("S_TOLM of CYCLE832 is {mode}, expected 0 to 4, or 11 to 14 with S_OTOL")),
     };
     let angle_rad = angle.filter(|_| mode > 10.0).map(f64::to_radians);
-    let tolerance_mm = Some(numbers.value(Slot::Tolerance) * line.machine().unit());
+    let tolerance_mm = Some(numbers.value(ArgumentSlot::Tolerance) * line.machine().unit());
     let smoothing = match level {
-        Some(_) => Smoothing::On { tolerance_mm, level },
-        None => Smoothing::Off,
+        Some(_) => PathSmoothing::On { tolerance_mm, level },
+        None => PathSmoothing::Off,
     };
-    line.orders.mode(Mode::Smoothing(smoothing, angle_rad));
+    line.orders.mode(ModeOrder::Smoothing(smoothing, angle_rad));
 }

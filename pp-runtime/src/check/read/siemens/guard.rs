@@ -6,7 +6,7 @@
 
 use super::super::block::{Guard, LengthSource, RotaryGuard};
 use super::super::line::Line;
-use super::super::orders::Mode;
+use super::super::orders::ModeOrder;
 use super::super::text::Cursor;
 
 /// Largest sum of rotations in degrees, and of deviations of scales from 1, that a guard lets pass.
@@ -14,13 +14,13 @@ const LARGEST_SUM: f64 = 1e-3;
 
 /// The guard that has begun.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Guards {
-    open: Option<(Open, Stops)>,
+pub(super) struct SiemensGuards {
+    open: Option<(OpenGuard, Stops)>,
 }
 
 /// What an open guard compares.
 #[derive(Debug, Clone, Copy)]
-enum Open {
+enum OpenGuard {
     Length(Guard),
     Radius(f64),
     Plane(RotaryGuard),
@@ -34,7 +34,7 @@ struct Stops {
     end: bool,
 }
 
-impl Guards {
+impl SiemensGuards {
     /// A guard has begun.
     pub(super) fn is_open(&self) -> bool {
         self.open.is_some()
@@ -50,7 +50,7 @@ impl Guards {
             return None;
         }
         let unit = if line.facts().guard_in_mm { 1.0 } else { line.unit() };
-        let offset = is_offset(&mut line.at).then_some(Open::Offset);
+        let offset = is_offset(&mut line.at).then_some(OpenGuard::Offset);
         let guard = offset.or_else(|| positions(line)).or_else(|| condition(&mut line.at, unit));
         self.open = guard.map(|guard| (guard, Stops::default()));
         if self.open.is_none() {
@@ -64,7 +64,7 @@ impl Guards {
         Some(false)
     }
 
-    fn within(&mut self, guard: Open, mut stops: Stops, line: &mut Line<'_>) -> bool {
+    fn within(&mut self, guard: OpenGuard, mut stops: Stops, line: &mut Line<'_>) -> bool {
         let at = &mut line.at;
         if at.word(b"ENDIF") && at.ended() {
             self.open = None;
@@ -72,10 +72,10 @@ impl Guards {
                 line.fault(0, "the guard does not stop and end the program: M0 and M30 expected before ENDIF");
             }
             line.orders.mode(match guard {
-                Open::Length(guard) => Mode::Guard(guard),
-                Open::Radius(largest_mm) => Mode::RadiusGuard(largest_mm),
-                Open::Plane(guard) => Mode::PlaneGuard(guard),
-                Open::Offset => Mode::OffsetGuard,
+                OpenGuard::Length(guard) => ModeOrder::Guard(guard),
+                OpenGuard::Radius(largest_mm) => ModeOrder::RadiusGuard(largest_mm),
+                OpenGuard::Plane(guard) => ModeOrder::PlaneGuard(guard),
+                OpenGuard::Offset => ModeOrder::OffsetGuard,
             });
             return true;
         }
@@ -92,7 +92,7 @@ impl Guards {
 }
 
 /// `ABS(SIN(($AA_IW[B]-30)/2))+..>t`, and nothing after it; takes nothing if it is something else.
-fn positions(line: &mut Line<'_>) -> Option<Open> {
+fn positions(line: &mut Line<'_>) -> Option<OpenGuard> {
     let start = line.at;
     let open = compared(line);
     if open.is_none() {
@@ -101,7 +101,7 @@ fn positions(line: &mut Line<'_>) -> Option<Open> {
     open
 }
 
-fn compared(line: &mut Line<'_>) -> Option<Open> {
+fn compared(line: &mut Line<'_>) -> Option<OpenGuard> {
     let mut guard = RotaryGuard::default();
     loop {
         line.at.literal(b"ABS(SIN(($AA_IW[").then_some(())?;
@@ -117,20 +117,20 @@ fn compared(line: &mut Line<'_>) -> Option<Open> {
         line.at.literal(b"+").then_some(())?;
     }
     guard.largest = line.at.spaced_number()?.value;
-    (line.at.ended() && guard.largest > 0.0).then_some(Open::Plane(guard))
+    (line.at.ended() && guard.largest > 0.0).then_some(OpenGuard::Plane(guard))
 }
 
 /// `ABS($P_TOOLL[1]-L)>tol` or `ABS($P_TOOLR)>tol`, and nothing after it.
-fn condition(at: &mut Cursor<'_>, unit: f64) -> Option<Open> {
+fn condition(at: &mut Cursor<'_>, unit: f64) -> Option<OpenGuard> {
     if at.literal(b"ABS($P_TOOLR)>") {
         let largest = at.spaced_number()?.value;
-        return (at.ended() && largest > 0.0).then_some(Open::Radius(largest * unit));
+        return (at.ended() && largest > 0.0).then_some(OpenGuard::Radius(largest * unit));
     }
     let length = at.literal(b"ABS($P_TOOLL[1]-").then(|| at.spaced_number())??.value;
     let tolerance = at.literal(b")>").then(|| at.spaced_number())??.value;
     let [length_mm, tolerance_mm] = [length * unit, tolerance * unit];
     let guard = Guard { length_mm, tolerance_mm, source: LengthSource::Edge, stops: true };
-    (at.ended() && tolerance > 0.0).then_some(Open::Length(guard))
+    (at.ended() && tolerance > 0.0).then_some(OpenGuard::Length(guard))
 }
 
 /// `(ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[X,SC]-1)+..>t) OR $P_ACTFRAME[X,MI] ..`, and nothing after it; takes nothing if it is

@@ -9,18 +9,18 @@
 mod calls;
 mod guard;
 
-use self::guard::Guards;
-use super::Dialect;
-use super::language::{Address, Means, Statement};
+use self::guard::SiemensGuards;
+use super::LineLanguage;
+use super::language::{Address, Means, StatementWord};
 use super::line::Line;
-use super::orders::{Cycle, Mode};
+use super::orders::{Cycle, ModeOrder};
 use super::text::{Cursor, Number, whole};
 use super::words::{Coded, Counts};
 
 /// What is remembered from one line to the next.
 #[derive(Debug, Default)]
-pub(super) struct Siemens {
-    guard: Guards,
+pub(super) struct SiemensLines {
+    guard: SiemensGuards,
     began: bool,
 }
 
@@ -34,7 +34,7 @@ struct Calls {
     has_cycle: bool,
 }
 
-impl Dialect for Siemens {
+impl LineLanguage for SiemensLines {
     fn line(&mut self, line: &mut Line<'_>) -> bool {
         line.at.blanks();
         match line.at.rest() {
@@ -65,9 +65,9 @@ impl Dialect for Siemens {
         }
         let cycle = calls.cycle.map(|cycle| cycle.in_unit(line.machine().unit()));
         if calls.modal {
-            line.orders.mode(Mode::CallAtEachPoint(cycle));
+            line.orders.mode(ModeOrder::CallAtEachPoint(cycle));
         } else if let Some(cycle) = cycle {
-            line.orders.mode(Mode::Define(cycle));
+            line.orders.mode(ModeOrder::Define(cycle));
         }
         line.compose(calls.has_cycle && !calls.modal);
         true
@@ -176,7 +176,7 @@ fn keyword(line: &mut Line<'_>, calls: &mut Calls) -> bool {
             line.word(name, (address, 0), (number, Counts::AsInForce), start);
             return !turns || whole(number).is_some();
         }
-        Means::Statement(Statement::ModalCall) if !std::mem::replace(&mut calls.modal, true) => {}
+        Means::Statement(StatementWord::ModalCall) if !std::mem::replace(&mut calls.modal, true) => {}
         Means::Statement(_) => return false,
         _ => {}
     }

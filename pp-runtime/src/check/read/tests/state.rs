@@ -117,22 +117,22 @@ fn a_rotary_word_takes_the_axes_out_of_the_plane() {
 
 #[test]
 fn smoothing_and_path_modes_are_in_the_state() {
-    let on = |tolerance_mm: Option<f64>, level: Option<u8>| Smoothing::On { tolerance_mm, level };
+    let on = |tolerance_mm: Option<f64>, level: Option<u8>| PathSmoothing::On { tolerance_mm, level };
     for (family, text, wanted) in [
         (Family::Fanuc, "G05.1 Q1", on(None, None)),
-        (Family::Fanuc, "G05.1 Q1\nG05.1 Q0", Smoothing::Off),
+        (Family::Fanuc, "G05.1 Q1\nG05.1 Q0", PathSmoothing::Off),
         (Family::Haas, "G21\nG187 P2 E0.02", on(Some(0.02), Some(2))),
-        (Family::Haas, "G21\nG187 P2 E0.02\nG187", Smoothing::Off),
+        (Family::Haas, "G21\nG187 P2 E0.02\nG187", PathSmoothing::Off),
         (Family::Siemens, "G710\nCYCLE832(0.02,2,1)", on(Some(0.02), Some(2))),
-        (Family::Siemens, "G710\nCYCLE832(0.02,2,1)\nCYCLE832()", Smoothing::Off),
-        (Family::Siemens, "G710\nCYCLE832(0,0,1)", Smoothing::Off),
+        (Family::Siemens, "G710\nCYCLE832(0.02,2,1)\nCYCLE832()", PathSmoothing::Off),
+        (Family::Siemens, "G710\nCYCLE832(0,0,1)", PathSmoothing::Off),
         (Family::Heidenhain, "0 CYCL DEF 32.0 TOLERANCE\n1 CYCL DEF 32.1 T0.02", on(Some(0.02), None)),
         (
             Family::Heidenhain,
             "0 CYCL DEF 32.0 TOLERANCE\n1 CYCL DEF 32.1 T0.02\n2 CYCL DEF 32.2 HSC-MODE:1 TA0.5",
             on(Some(0.02), Some(1)),
         ),
-        (Family::Heidenhain, "0 CYCL DEF 32.0 TOLERANCE\n1 CYCL DEF 32.1", Smoothing::Off),
+        (Family::Heidenhain, "0 CYCL DEF 32.0 TOLERANCE\n1 CYCL DEF 32.1", PathSmoothing::Off),
     ] {
         assert_eq!(last(family, text).state.smoothing, wanted, "{text}");
     }

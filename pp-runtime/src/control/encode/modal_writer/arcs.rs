@@ -7,7 +7,7 @@ use crate::control::encode::modal_state::After;
 use crate::motion::{AxisWords, Circle};
 use crate::nc::Decimal;
 
-use super::{Address, ModalWriter};
+use super::{AxisAddress, ModalWriter};
 
 /// Decimals of the angle of a helix in degrees. At 10 m from its axis the last one is 0.2 µm.
 const POLAR_DECIMALS: u32 = 6;
@@ -120,6 +120,6 @@ impl ModalWriter<'_> {
 }
 
 /// Letters before the number in words of an axis.
-fn word_of(axes: &[Address], index: usize) -> &str {
+fn word_of(axes: &[AxisAddress], index: usize) -> &str {
     axes.iter().find(|address| address.index == index).map_or("", |address| address.word.letters())
 }

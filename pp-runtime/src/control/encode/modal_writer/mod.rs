@@ -22,7 +22,7 @@ use super::values::{Values, text};
 
 /// Words of an axis.
 #[derive(Debug, Clone)]
-struct Address {
+struct AxisAddress {
     /// Index in the chain.
     index: usize,
     /// Its bit in the masks of axis words.
@@ -38,7 +38,7 @@ pub(crate) struct ModalWriter<'a> {
     codes: &'static Spellings,
     writer: Writer<'a>,
     /// Axes in the order of their words in a block.
-    axes: Vec<Address>,
+    axes: Vec<AxisAddress>,
     /// A word of an axis has text after its number.
     has_shortest: bool,
     /// F with each number of decimals.
@@ -80,7 +80,7 @@ pub(crate) struct ModalWriter<'a> {
 }
 
 /// Words of the axes in the usual order of a block, X Y Z U V W A B C.
-fn addresses(control: &dyn Control, layout: &Layout, numerals: Numerals) -> Vec<Address> {
+fn addresses(control: &dyn Control, layout: &Layout, numerals: Numerals) -> Vec<AxisAddress> {
     let mut axes: Vec<(usize, char, u32)> =
         layout.axes.iter().enumerate().map(|(index, &(letter, decimals))| (index, letter, decimals)).collect();
     axes.sort_by_key(|&(_, letter, _)| "XYZUVWABC".chars().position(|known| known == letter));
@@ -95,7 +95,7 @@ fn addresses(control: &dyn Control, layout: &Layout, numerals: Numerals) -> Vec<
                 None => (name, ""),
             };
             let word = WordForm::new(name, decimals, numerals);
-            Address { index, bit: 1 << index, word, linear: "XYZUVW".contains(letter), after }
+            AxisAddress { index, bit: 1 << index, word, linear: "XYZUVW".contains(letter), after }
         })
         .collect()
 }
@@ -340,7 +340,7 @@ impl<'a> ModalWriter<'a> {
     /// Name and position of each axis of some words, degrees.
     pub(crate) fn positions(&self, words: &AxisWords) -> Vec<(String, f64)> {
         let position =
-            |address: &Address| words.units[address.index] as f64 / 10_f64.powi(address.word.decimals() as i32);
+            |address: &AxisAddress| words.units[address.index] as f64 / 10_f64.powi(address.word.decimals() as i32);
         let rotary = self.axes.iter().filter(|address| words.has(address.index));
         rotary
             .map(|address| (address.word.letters().split('=').next().unwrap_or_default().to_owned(), position(address)))

@@ -1,8 +1,8 @@
 //! The swivel data record `$TC_CARR`.
 
-use super::super::chain::Rotary;
+use super::super::chain::RotaryAtZero;
 use super::super::rows::{Expected, Group, Row, XYZ, direction, known_lengths};
-use super::record::Record;
+use super::record::DataRecord;
 use super::{IM9_POINTS, vector_meaning};
 
 const SIGNS: &str = "W1 p. 2-92; IM9 12/2017 p. 572, 581";
@@ -19,7 +19,12 @@ fn carr(first: usize) -> impl Fn(usize) -> String {
 }
 
 /// The groups of the record.
-pub(super) fn carrier(record: &Record, first: &Rotary, second: Option<&Rotary>, tool: usize) -> Vec<Group> {
+pub(super) fn carrier(
+    record: &DataRecord,
+    first: &RotaryAtZero,
+    second: Option<&RotaryAtZero>,
+    tool: usize,
+) -> Vec<Group> {
     let kind = match record.kind {
         'T' => "T: the tool is rotated",
         'P' => "P: the workpiece is rotated",

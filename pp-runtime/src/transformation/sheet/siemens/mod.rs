@@ -26,12 +26,12 @@ use crate::config::Config;
 use crate::kinematics::{AnyMachine, Side};
 
 use super::super::NotExpressible;
-use super::chain::{Arrangement, Rotary, tool_coordinate};
-use super::rows::{Section, Sheet};
-use super::tests_at_machine::{Words, tests};
+use super::chain::{Arrangement, RotaryAtZero, tool_coordinate};
+use super::rows::{ParameterSection, Sheet};
+use super::tests_at_machine::{ControlWords, tests};
 
 use carrier::carrier;
-use record::Record;
+use record::DataRecord;
 use traori::transformation;
 
 const MODEL: &str = "TRAORI and CYCLE800";
@@ -42,7 +42,7 @@ const IM9_POINTS: &str = "IM9 03/2013 p. 502; IM9 12/2017 p. 572";
 pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, NotExpressible> {
     let arrangement = Arrangement::of(machine, MODEL)?;
     let tool = tool_coordinate(machine, MODEL)?;
-    let record = Record::of(&arrangement, config);
+    let record = DataRecord::of(&arrangement, config);
     let (first, second) = arrangement.axes();
     let introduction = vec![
         "SINUMERIK 840D sl and 828D, and ONE where it uses these data. Swivel data record: Commissioning, NC, Transformations \
@@ -75,17 +75,17 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
         control: "Siemens SINUMERIK",
         introduction,
         sections: vec![
-            Section {
+            ParameterSection {
                 title: "Swivel data record (CYCLE800), number m of the record".to_owned(),
                 groups: carrier(&record, first, second, tool),
             },
-            Section {
+            ParameterSection {
                 title: "Five-axis transformation (TRAORI), transformation 1".to_owned(),
                 groups: transformation(&record, first, second, tool),
             },
         ],
         differences,
-        tests: tests(machine, &Words { control: "siemens", tip_control: "TRAORI", plane: "CYCLE800" }),
+        tests: tests(machine, &ControlWords { control: "siemens", tip_control: "TRAORI", plane: "CYCLE800" }),
         sources: vec![
             "IM9: Commissioning Manual SINUMERIK Operate (IM9), 03/2013, 6FC5397-1DP40-3BA1, and 12/2017, 6FC5397-1DP40-6BA1",
             "W1: Function Manual Tool Compensation, 08/2005, 6FC5397-0BP10-0BA0",
@@ -98,8 +98,8 @@ pub(super) fn sheet(machine: &dyn AnyMachine, config: &Config) -> Result<Sheet, 
 }
 
 /// Which axis is the first, and where it is.
-fn order(first: &Rotary, second: Option<&Rotary>) -> String {
-    let place = |axis: &Rotary| match axis.side {
+fn order(first: &RotaryAtZero, second: Option<&RotaryAtZero>) -> String {
+    let place = |axis: &RotaryAtZero| match axis.side {
         Side::Workpiece => "in the table",
         Side::Tool => "in the head",
     };
@@ -120,7 +120,7 @@ fn order(first: &Rotary, second: Option<&Rotary>) -> String {
     }
 }
 
-fn vector_meaning(index: usize, axis: Option<&Rotary>) -> String {
+fn vector_meaning(index: usize, axis: Option<&RotaryAtZero>) -> String {
     let Some(axis) = axis else { return format!("V{}: zero, because there is no such axis.", index + 1) };
     let carried = match axis.side {
         Side::Workpiece => "the table",

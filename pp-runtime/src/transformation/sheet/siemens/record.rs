@@ -10,7 +10,7 @@ use super::super::chain::{Arrangement, machine_coordinates, opposite};
 pub(super) type Offset = [Option<f64>; 3];
 
 /// The data record of a machine.
-pub(super) struct Record {
+pub(super) struct DataRecord {
     /// T, P or M.
     pub(super) kind: char,
     /// Type of the generic transformation.
@@ -33,7 +33,7 @@ pub(super) const BASE_TOOL: MachineData = (24550, "TRAFO5_BASE_TOOL_1");
 pub(super) const JOINT_OFFSET_PART: MachineData = (24558, "TRAFO5_JOINT_OFFSET_PART_1");
 pub(super) const JOINT_OFFSET: MachineData = (24560, "TRAFO5_JOINT_OFFSET_1");
 
-impl Record {
+impl DataRecord {
     pub(super) fn of(arrangement: &Arrangement, config: &Config) -> Self {
         let (first, second) = arrangement.axes();
         let axes = [first.rotation, second.map_or(Vector3::zeros(), |axis| axis.rotation)];

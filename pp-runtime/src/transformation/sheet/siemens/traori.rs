@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::super::chain::Rotary;
+use super::super::chain::RotaryAtZero;
 use super::super::rows::{Expected, Group, Row, XYZ, direction, known_lengths};
-use super::record::{JOINT_OFFSET, JOINT_OFFSET_PART, Record, known};
+use super::record::{DataRecord, JOINT_OFFSET, JOINT_OFFSET_PART, known};
 use super::{IM9_POINTS, vector_meaning};
 
 const VECTORS: &str = "IM9 12/2017 p. 572";
@@ -30,7 +30,7 @@ const PARALLEL_TYPES: [(char, &str, u32); 12] = [
 ];
 
 /// Type of MD24100 whose axes are parallel to the coordinates.
-fn parallel_type(record: &Record, first: &Rotary, second: Option<&Rotary>) -> Option<u32> {
+fn parallel_type(record: &DataRecord, first: &RotaryAtZero, second: Option<&RotaryAtZero>) -> Option<u32> {
     let pair: String = [first.coordinate()?, second?.coordinate()?].map(|index| XYZ[index]).iter().collect();
     let found = PARALLEL_TYPES.iter().find(|(kind, order, _)| *kind == record.kind && *order == pair);
     found.map(|(_, _, number)| *number)
@@ -41,7 +41,12 @@ fn array(number: u32) -> impl Fn(usize) -> String {
 }
 
 /// The groups of the machine data.
-pub(super) fn transformation(record: &Record, first: &Rotary, second: Option<&Rotary>, tool: usize) -> Vec<Group> {
+pub(super) fn transformation(
+    record: &DataRecord,
+    first: &RotaryAtZero,
+    second: Option<&RotaryAtZero>,
+    tool: usize,
+) -> Vec<Group> {
     let generic = record.generic;
     let mut kinds = format!(
         "Type of the transformation: {generic}, generic, with the vectors below; or 72, which takes them from the swivel data \

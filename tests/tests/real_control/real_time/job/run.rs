@@ -2,7 +2,9 @@
 
 use nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
 use pp_runtime::kinematics::{Machine, Pose};
-use tests::linuxcnc::simulation::{Control, Kinematics, MarkKinematics, Reached, Rotation, Simulation, Table, Tool};
+use tests::linuxcnc::simulation::{
+    Kinematics, MarkKinematics, Reached, RotaryTable, Rotation, SimulatedControl, Simulation, Tool,
+};
 use tests::oracle::Oracle;
 
 use super::super::kinematics::{largest, largest_difference};
@@ -49,15 +51,15 @@ pub(super) struct Line {
 }
 
 /// The control of a machine `C B | X Y Z`; its centre lines are those of the declaration.
-pub(super) fn control<M: Machine>() -> Control {
+pub(super) fn control<M: Machine>() -> SimulatedControl {
     let machine = M::default();
     let rotation = |letter: char| {
         let joint = machine.joint(index::<M>(letter));
         let point = joint.point.coords + REFERENCE;
         Rotation { direction: (joint.direction.into_inner() * joint.sign).into(), point: point.into() }
     };
-    Control {
-        kinematics: Kinematics::Component(Table { b: rotation('B'), c: rotation('C') }),
+    SimulatedControl {
+        kinematics: Kinematics::Component(RotaryTable { b: rotation('B'), c: rotation('C') }),
         letters: LETTERS,
         work_offsets: SET_UPS.iter().map(|(zero, _)| (REFERENCE + Vector3::from(*zero)).into()).collect(),
         travel: vec![[-1e4, 1e4]; 5],
