@@ -24,6 +24,7 @@ use crate::program::{Clearance, Coolants, Rotation, Units};
 use crate::set_up::SetUp;
 
 use super::read::{Effect, Family, OwnPlace};
+use crate::check::read::RolloverRule;
 
 /// Meaning of the words of a program, the motion between cuts, and the tolerances of a check.
 #[derive(Debug, Clone)]
@@ -136,15 +137,6 @@ pub enum TipFrame {
     TableAtStart,
     /// Fixed to the machine.
     Machine,
-}
-
-/// Words of a rotary axis that the control reduces to one revolution.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RolloverRule {
-    /// The axis takes the shorter way.
-    Shortest,
-    /// The sign of the word is the direction.
-    Sign,
 }
 
 /// Meaning of words.

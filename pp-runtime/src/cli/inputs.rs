@@ -1,8 +1,7 @@
 //! Inputs of a run: the configuration, which has to suit the control, and the CL data.
 
 use std::borrow::Cow;
-use std::fs::File;
-use std::io::{self, Read};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crate::config::{self, Config, EditOptions};
@@ -14,9 +13,7 @@ use super::args::{MessageFormat, NamedFile, SetUpArgs};
 use super::cl_source::{ClSource, LONG_INPUT_BYTES, same_file};
 use super::messages::MessageWriter;
 use super::outcome::{Failure, is_standard};
-
-/// Largest configuration or tool table, bytes: some ten thousand tools.
-const LARGEST_TEXT: u64 = 1 << 20;
+use super::text_file::read_text;
 
 /// The configuration of a run: defaults of the control, then the file, then the command line; the later takes
 /// precedence.
@@ -76,21 +73,6 @@ pub(crate) fn read_edits(
     config::read_edits(machine, &text).map_err(|faults| {
         messages.diagnostics(&path.display().to_string(), &mut text.as_bytes(), &faults);
         Failure::Reported
-    })
-}
-
-/// The text of a configuration or a tool table; `what`: which of them.
-pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, Failure> {
-    let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(LARGEST_TEXT + 1).read_to_end(&mut bytes));
-    read.map_err(|error| Failure::unreadable(path, error))?;
-    if bytes.len() as u64 > LARGEST_TEXT {
-        let text = format!("it is larger than {} MiB, the most for a {what}", LARGEST_TEXT >> 20);
-        return Err(Failure::unreadable(path, io::Error::new(io::ErrorKind::FileTooLarge, text)));
-    }
-    String::from_utf8(bytes).map_err(|error| {
-        let kind = io::ErrorKind::InvalidData;
-        Failure::unreadable(path, io::Error::new(kind, error.utf8_error().to_string()))
     })
 }
 

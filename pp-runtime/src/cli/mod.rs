@@ -39,6 +39,7 @@ mod simulate;
 mod temporary;
 #[cfg(test)]
 mod tests;
+mod text_file;
 mod view;
 
 use std::ffi::OsString;

@@ -3,10 +3,10 @@
 use crate::check::faults_of_lines;
 use crate::check::policy::{
     CheckPolicy, Decimals, FeedPath, FeedPolicy, LinearMeaning, LinkPolicy, OperationRule, OperationSelection,
-    RapidForm, RetractRule, RolloverRule, RuledOperation, ShopBlocks, ShopLine, SmoothingLevel, StateDefaults,
-    StopRule, TipFrame, Tolerances, WordPolicy,
+    RapidForm, RetractRule, RuledOperation, ShopBlocks, ShopLine, SmoothingLevel, StateDefaults, StopRule, TipFrame,
+    Tolerances, WordPolicy,
 };
-use crate::check::read::{Effect, Family, OwnPlace, coolant};
+use crate::check::read::{Effect, Family, OwnPlace, RolloverRule, coolant};
 use crate::cl::{ReadingOptions, StatedTool};
 use crate::control::{self, BlockNumbers, Control, LineEffect, Messages, RetractForm, Spellings, ToolSpindle};
 use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};

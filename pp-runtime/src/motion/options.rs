@@ -25,9 +25,10 @@ pub use cutting::{
     ArcForm, ArcOptions, ArcOutput, BoreRetract, CutterPath, CycleOptions, CycleOutput, Defaults, FeedLimits, PathNorm,
     ThreadFeed,
 };
+pub use keys::{ClampCodes, Wrap};
 pub use links::{Approach, CoolantOptions, Links, Rapid, RapidOptions, Retract, Rewind, Transition};
 pub use operations::{OperationChoice, OperationEntry, OperationSettings, OperationTable, Smoothing};
-pub use words::{ClampCodes, Mode, RotaryOptions, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture, Wrap};
+pub use words::{Mode, RotaryOptions, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture};
 
 /// All that planning reads of a job.
 #[derive(Debug, Clone, Copy)]

@@ -4,10 +4,8 @@ use std::fmt::Write as _;
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, CSource, Side};
 
+use super::math::PREFIX;
 use super::{NotExpressible, complete, math};
-
-/// Character of [`CSource`] whose place the prefix takes.
-pub(super) const PREFIX: char = '@';
 
 /// Forward and inverse kinematics of a machine as a C99 header; all its names begin with `prefix` (see [`identifier`]).
 ///

@@ -5,8 +5,6 @@
 
 use crate::kinematics::math::{arc_tangent, sin_cos};
 
-use super::c::PREFIX;
-
 /// Numbers of the functions, with the prefix as macros.
 const NUMBERS: [(&str, f64); 10] = [
     ("WHOLE", sin_cos::WHOLE),
@@ -121,3 +119,6 @@ static inline double @_atan2(double y, double x)
 }
 
 ";
+
+/// Character of [`CSource`] whose place the prefix takes.
+pub(super) const PREFIX: char = '@';

@@ -14,7 +14,6 @@ use super::ViewedProgram;
 use super::cl_facts::ClTool;
 use super::columns::Column;
 use super::executed::{ExecutedOperation, ExecutedPlacement, PointKind};
-use super::sheet::Found;
 
 /// Version of the data.
 const FORMAT: u32 = 1;
@@ -328,5 +327,20 @@ fn finding<'a>(program: &ViewedProgram<'_>, found: &'a Finding) -> PageFinding<'
         found: Found::of(found),
         last_line: found.last_line,
         point: of_line.or((next < points.len()).then_some(next)),
+    }
+}
+
+/// A finding of the check.
+#[derive(Debug, Serialize)]
+pub(crate) struct Found<'a> {
+    pub(crate) line: u64,
+    pub(crate) cl_line: u64,
+    pub(crate) text: &'a str,
+    pub(crate) help: Option<&'a str>,
+}
+
+impl<'a> Found<'a> {
+    pub(crate) fn of(finding: &'a Finding) -> Self {
+        Self { line: finding.line, cl_line: finding.location.line, text: &finding.text, help: finding.help.as_deref() }
     }
 }

@@ -4,7 +4,8 @@
 //! collects its points while it is checked, and holds them in memory. `cl_facts` has what only the CL data states,
 //! `reasons` why a line is there.
 //!
-//! The page is one file: `html` writes it, with the data of `head` and `columns` and the script of `page/`. `sheet` has the
+//! The page is one file: `page` writes it, with the data of `head` and `columns` and the script of the folder `page/`; `html` has
+//! what all documents share. `sheet` has the
 //! facts that are readable without a script, in the page and in the set-up sheet (`report`), `picture` the drawings. Text from
 //! outside reaches a document as escaped text only.
 
@@ -14,6 +15,7 @@ mod drawing;
 mod executed;
 mod head;
 mod html;
+mod page;
 mod picture;
 mod reasons;
 mod report;
@@ -42,7 +44,8 @@ pub(crate) use drawing::drawing;
 pub(crate) use executed::Collector;
 #[cfg(feature = "simulate")]
 pub(crate) use executed::{ExecutedMotion, ExecutedPlace, Motions};
-pub(crate) use html::{is_document, write_page};
+pub(crate) use html::is_document;
+pub(crate) use page::write_page;
 pub(crate) use picture::path_and_axes;
 pub(crate) use reasons::Reasons;
 pub(crate) use report::{ReportForm, write_report};

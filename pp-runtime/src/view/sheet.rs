@@ -5,13 +5,12 @@ use std::io;
 
 use serde::Serialize;
 
-use crate::check::Finding;
 use crate::kinematics::AxisKind;
 use crate::post::duration;
 use crate::set_up::{Clamping, part_angles};
 
 use super::executed::Executed;
-use super::head::{Tool, ViewOperation, operations, tools};
+use super::head::{Found, Tool, ViewOperation, operations, tools};
 use super::{ViewedProgram, picture};
 
 /// The facts of a sheet; lengths in mm, angles in degrees, times in seconds.
@@ -83,21 +82,6 @@ struct Check<'a> {
     passed: bool,
     figures: String,
     findings: Vec<Found<'a>>,
-}
-
-/// A finding of the check.
-#[derive(Debug, Serialize)]
-pub(crate) struct Found<'a> {
-    line: u64,
-    cl_line: u64,
-    text: &'a str,
-    help: Option<&'a str>,
-}
-
-impl<'a> Found<'a> {
-    pub(crate) fn of(finding: &'a Finding) -> Self {
-        Self { line: finding.line, cl_line: finding.location.line, text: &finding.text, help: finding.help.as_deref() }
-    }
 }
 
 /// A part of a document.

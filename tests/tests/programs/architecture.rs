@@ -154,7 +154,7 @@ fn without_tests(tokens: TokenStream) -> Vec<TokenTree> {
 }
 
 /// The files of a folder that are not tests.
-fn sources(folder: &Path, into: &mut Vec<PathBuf>) {
+pub(crate) fn sources(folder: &Path, into: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("the folder exists") {
         let path = entry.expect("it can be listed").path();
         let name = path.file_stem().and_then(|name| name.to_str()).expect("a name in ASCII").to_owned();
@@ -168,7 +168,7 @@ fn sources(folder: &Path, into: &mut Vec<PathBuf>) {
 }
 
 /// Modules that are compiled for tests only, `#[cfg(test)] mod name;`: their files without extension.
-fn test_modules(files: &[PathBuf]) -> BTreeSet<PathBuf> {
+pub(crate) fn test_modules(files: &[PathBuf]) -> BTreeSet<PathBuf> {
     let mut modules = BTreeSet::new();
     for file in files {
         let folder = match file.file_stem().and_then(|stem| stem.to_str()) {

@@ -17,6 +17,7 @@ mod eyes;
 mod faces;
 mod findings;
 mod foreign;
+mod house;
 mod inches;
 mod linearised;
 mod links;

@@ -8,9 +8,9 @@ use super::super::geometry::{PathShape, Segment, ToolPose, angle_between};
 use super::super::policy::LinearMeaning;
 use super::super::read::{Block, TipControl};
 use super::super::rules::{FrameUse, ModalContext};
-use super::obligations::{Duty, DutyEvent, DutyPlace};
+use super::obligations::{Duty, DutyEvent, DutyPlace, Station};
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
-use super::station::Station;
+
 use super::{Comparison, Current, parking, retract};
 use crate::check::tolerances::{ALONG_PLANE_NORMAL, BOTH, COMES_BACK};
 

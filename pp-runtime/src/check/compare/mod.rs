@@ -44,6 +44,7 @@ use super::report::{ShownBlock, Tally};
 use super::rules::{ModalContext, OffsetsInForce, Rules, StateFault, StateItem, chord};
 use super::stream::{ExecutedBlock, Observer};
 use super::travel::{Findings, Travel};
+use crate::check::compare::obligations::Station;
 use crate::check::tolerances::BOTH;
 use crate::cl::ClEvents;
 use crate::kinematics::AnyMachine;
@@ -58,7 +59,6 @@ use phase::{Phase, Task};
 use progress::ClProgress;
 use restarts::Restarts;
 use shop_lines::ShopLines;
-use station::Station;
 
 /// Blocks after which it is decided which of two meanings a block had: it has been seen where the program goes on.
 const DECIDED: u32 = 48;

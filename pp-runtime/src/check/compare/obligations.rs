@@ -13,9 +13,8 @@ use super::super::read::{LineForm, stated};
 use super::super::rules::fault_at_end;
 use super::functions::ClampsDue;
 use super::phase::Phase;
-use super::station::Station;
 use super::{Comparison, Current, plane_guard};
-pub(super) use rows::{Duty, DutyEvent, DutyPlace};
+pub(super) use rows::{Duty, DutyEvent, DutyPlace, Station};
 use rows::{NEEDED, OWED, Owed};
 
 const OFFSET_GUARD: &str = "the guard of the work offset is missing after the restart point: a rotation that lies over it would rotate \

@@ -1,44 +1,12 @@
 //! Positions of the axes where a tool is changed, and where it is measured or checked for breakage
 //! (`retract.tool_change_position`, `cycles.tool_position`).
 
-use std::collections::BTreeMap;
-
 use super::super::expect::Required;
-use super::super::policy::LinkPolicy;
 use super::super::read::{Action, Block, OwnLine, OwnPlace, stated};
 use super::super::rules::ModalContext;
-use super::obligations::{Duty, DutyPlace};
+use super::obligations::{Duty, DutyPlace, Station};
 use super::phase::{Phase, Retracted};
 use super::{Comparison, Current, Previous, parking};
-
-/// What is done with a tool at positions of the axes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Station {
-    /// It is changed.
-    Change,
-    /// It is measured, or checked for breakage.
-    Measuring,
-}
-
-impl Station {
-    pub(super) const ALL: [Self; 2] = [Self::Change, Self::Measuring];
-
-    /// Positions of the axes there.
-    pub(super) fn places(self, links: &LinkPolicy) -> &BTreeMap<char, f64> {
-        match self {
-            Self::Change => &links.tool_change_position,
-            Self::Measuring => &links.tool_position,
-        }
-    }
-
-    /// Key of these positions.
-    fn key(self) -> &'static str {
-        match self {
-            Self::Change => "retract.tool_change_position",
-            Self::Measuring => "cycles.tool_position",
-        }
-    }
-}
 
 impl Comparison<'_> {
     /// Notes the linear axes that a block moves to their positions.

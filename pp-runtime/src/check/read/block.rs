@@ -3,6 +3,7 @@
 //! Lengths are mm and angles rad, whatever the unit of the program; levels and centres count as the words of the program
 //! do. Nothing in here knows a machine or CL data.
 
+use crate::check::read::MAX_AXES;
 use crate::program::{Rotation, Units};
 
 pub(super) use super::state::settled;
@@ -10,9 +11,6 @@ pub use super::state::{
     FeedMode, Length, PathMode, PathSmoothing, SideOfPath, State, Tilt, TipControl, WorkOffset, WorkPlane, coolant,
     stated,
 };
-
-/// Most axes a chain can have: X Y Z U V W A B C.
-pub const MAX_AXES: usize = 9;
 
 /// Positions of the axes whose bits are set.
 pub(crate) fn set_bits(bits: u16) -> impl Iterator<Item = usize> {

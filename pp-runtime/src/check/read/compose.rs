@@ -17,16 +17,17 @@
 //! | R, Q, P, I, J | a canned cycle | reference level, step, dwell, shift off the wall of a bore |
 //! | R, P | G2, G3 | radius of an arc, revolutions of a helix on LinuxCNC |
 
-use super::super::policy::RolloverRule;
 use super::block::{OwnPlace, PathMode, PathSmoothing, WorkOffset, coolant, settled};
 use super::facts::LineForm;
 use super::frames;
-use super::language::{Address, CodeRow, Letters, Means, PathCode, Pattern, Plane, Smoother, group, has_letter};
+use super::language::{Address, CodeRow, Letters, Means, PathCode, Plane, Smoother, group, has_letter};
 use super::line::Line;
 use super::orders::{Act, ArcWords, CannedWords, Code, LengthCode, ModeOrder, MotionOrder, TiltCode, WrittenAxisWords};
 use super::own::OwnText;
 use super::text::{Number, shown, whole};
 use super::words::{Coded, Counts, Word};
+use crate::check::read::RolloverRule;
+use crate::check::read::orders::Pattern;
 use crate::program::{Rotation, Units};
 
 /// Least increment of mm and degrees, and of inches.

@@ -52,14 +52,16 @@ use std::sync::Arc;
 pub(crate) use block::set_bits;
 pub use block::{
     Action, ArcMove, BlankPart, Block, BlockFault, CycleKind, CycleMove, Effect, FeedMode, FineBore, Guard, Length,
-    LengthSource, MAX_AXES, OwnLine, OwnPlace, OwnValues, PathMode, PathSmoothing, RotaryGuard, SideOfPath, State,
-    Tilt, TipControl, WorkOffset, WorkPlane, coolant, stated,
+    LengthSource, OwnLine, OwnPlace, OwnValues, PathMode, PathSmoothing, RotaryGuard, SideOfPath, State, Tilt,
+    TipControl, WorkOffset, WorkPlane, coolant, stated,
 };
 pub(crate) use declared::{moves, refusal};
 pub(crate) use facts::{Facts, GuardSource, LeftOver, LengthRegisters, LineForm, PoseSelector, SmoothingWords};
 pub(crate) use language::table;
 pub(crate) use machine::AxisName;
+pub use machine::RolloverRule;
 pub(crate) use own::{Lookup, OwnText, PlacedLines, is_filled, is_read};
+pub use state::MAX_AXES;
 pub(in crate::check) use state::settled;
 
 use flow::{Flow, Taken};

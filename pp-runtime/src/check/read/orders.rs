@@ -6,10 +6,11 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::block::{
-    BlankPart, BlockFault, CycleKind, FeedMode, FineBore, Guard, MAX_AXES, PathMode, PathSmoothing, RotaryGuard,
-    SideOfPath, WorkOffset, WorkPlane, settled,
+    BlankPart, BlockFault, CycleKind, FeedMode, FineBore, Guard, PathMode, PathSmoothing, RotaryGuard, SideOfPath,
+    WorkOffset, WorkPlane, settled,
 };
-use super::language::{Letters, Pattern};
+use super::language::Letters;
+use crate::check::read::MAX_AXES;
 use crate::program::{Rotation, Units};
 
 /// Declared effects of lines of the user, as bits.
@@ -457,4 +458,28 @@ pub(super) fn fault(faults: &mut Vec<BlockFault>, column: usize, text: impl Into
     if faults.len() < MOST_FAULTS {
         faults.push(BlockFault { column: column + 1, text: text.into() });
     }
+}
+
+/// How a canned cycle makes its hole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) enum Pattern {
+    Drill,
+    Ream,
+    Peck,
+    ChipBreak,
+    /// In step with the spindle.
+    Tap {
+        left: bool,
+    },
+    /// In step with the spindle after M29 only.
+    TapAfterRigid {
+        left: bool,
+    },
+    /// Never in step with the spindle.
+    FloatingTap {
+        left: bool,
+    },
+    Bore,
+    /// The spindle stops at an angle, and the tool leaves the wall.
+    FineBore,
 }

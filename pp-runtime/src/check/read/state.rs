@@ -4,7 +4,6 @@ use std::fmt;
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::block::MAX_AXES;
 use crate::program::{Rotation, Units};
 
 /// What F means.
@@ -501,3 +500,6 @@ impl Default for State {
         }
     }
 }
+
+/// Most axes a chain can have: X Y Z U V W A B C.
+pub const MAX_AXES: usize = 9;

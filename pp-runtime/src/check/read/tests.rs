@@ -230,8 +230,8 @@ fn tip_control_is_switched_on_and_off() {
 #[test]
 fn words_of_axes_that_roll_over_are_turned_the_way_the_control_turns_them() {
     let mut vocabulary = vocabulary(Family::LinuxCnc);
-    vocabulary.axes[0].rollover = Some(crate::check::policy::RolloverRule::Sign);
-    vocabulary.axes[1].rollover = Some(crate::check::policy::RolloverRule::Shortest);
+    vocabulary.axes[0].rollover = Some(crate::check::read::RolloverRule::Sign);
+    vocabulary.axes[1].rollover = Some(crate::check::read::RolloverRule::Shortest);
     let text = format!("{LINUXCNC}G0 B350 C350\nB10 C10\nC-350\nC-360");
     let mut reader = Reader::new(text.as_bytes(), vocabulary);
     let mut seen = Vec::new();
@@ -296,7 +296,7 @@ fn one_code_ends_what_the_set_up_and_the_control_have_switched_on() {
 #[test]
 fn the_sign_of_a_rolling_axis_is_its_way_and_not_its_place() {
     let mut vocabulary = vocabulary(Family::Fanuc);
-    vocabulary.axes[0].rollover = Some(crate::check::policy::RolloverRule::Sign);
+    vocabulary.axes[0].rollover = Some(crate::check::read::RolloverRule::Sign);
     let mut reader = Reader::new(&b"G21 G90 G94 G17\nG0 C-181.5\nG0 C-181.5\nG0 C-180.\n"[..], vocabulary);
     let mut places = Vec::new();
     while let Some((block, _)) = reader.next_block().expect("text in memory") {

@@ -3,10 +3,10 @@
 use std::fmt::Display;
 
 use super::super::expect::{Required, SpindleState};
-use super::super::policy::{CheckPolicy, LinearMeaning, RolloverRule};
+use super::super::policy::{CheckPolicy, LinearMeaning};
 use super::super::read::{
-    Action, Block, Facts, FeedMode, LeftOver, Length, LineForm, PathSmoothing, SideOfPath, State, TipControl,
-    WorkOffset, WorkPlane, settled,
+    Action, Block, Facts, FeedMode, LeftOver, Length, LineForm, PathSmoothing, RolloverRule, SideOfPath, State,
+    TipControl, WorkOffset, WorkPlane, settled,
 };
 use super::{Rules, apart};
 use crate::check::tolerances::{ROUNDED_SPEED, ROUNDED_WORD};

@@ -6,7 +6,6 @@ use std::ops::RangeInclusive;
 use serde_json::{Map, Value as Json, json};
 
 use super::holes::CycleArg;
-use super::tool_numbers::ToolArg;
 use super::tool_table::StatedTool;
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{ClCycleKind, GivenMeanings, OwnStatement, not_inert};
@@ -369,4 +368,21 @@ impl KeyKind for ToolNumbers {
     fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
         Some(Printed::Example("{ args = [\"offset\"] }".to_owned()))
     }
+}
+
+/// Meaning of a number after the tool number (`[cl.loadtl] args`).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ToolArg {
+    /// Length offset register (H).
+    Offset,
+    /// Gauge length.
+    Length,
+    /// It has no effect.
+    Ignored,
+}
+
+impl ToolArg {
+    /// Names as in configuration files.
+    pub const NAMES: [(&'static str, ToolArg); 3] =
+        [("offset", ToolArg::Offset), ("length", ToolArg::Length), ("ignored", ToolArg::Ignored)];
 }

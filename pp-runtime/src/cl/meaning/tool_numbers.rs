@@ -8,25 +8,9 @@
 
 use super::options::ReadingOptions;
 use crate::cl::dialect::Dialect;
+use crate::cl::meaning::options::ToolArg;
 use crate::cl::record::ToolCallRecord;
 use crate::cl::text::{ClFault, Span};
-
-/// Meaning of a number after the tool number (`[cl.loadtl] args`).
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ToolArg {
-    /// Length offset register (H).
-    Offset,
-    /// Gauge length.
-    Length,
-    /// It has no effect.
-    Ignored,
-}
-
-impl ToolArg {
-    /// Names as in configuration files.
-    pub const NAMES: [(&'static str, ToolArg); 3] =
-        [("offset", ToolArg::Offset), ("length", ToolArg::Length), ("ignored", ToolArg::Ignored)];
-}
 
 /// Numbers of CATIA.
 const OF_CATIA: [ToolArg; 1] = [ToolArg::Offset];

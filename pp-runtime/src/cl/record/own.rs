@@ -1,6 +1,7 @@
 //! Statements to which the user gives a meaning: words declared inert, and statements of the shop.
 
-use super::parse::{has_numbers_of_a_frame, major_word};
+use super::words::has_numbers_of_a_frame;
+use super::words::major_word;
 use super::words::{Handling, is_word, look_up};
 use crate::program::{BlockPlace, is_nc_text};
 

@@ -11,11 +11,10 @@ use super::comment::remark_dialect;
 use super::machine::CLAMPS_LEFT_TO_POST;
 use super::own::GivenMeanings;
 use super::values::{Point, Text};
-use super::words::{Handling, look_up};
+use super::words::{Handling, has_numbers_of_a_frame, look_up, major_word};
 use crate::cl::dialect::Dialect;
 use crate::cl::text::{
-    Args, ClFault, Help, Lexer, NumberLine, PhysicalLine, Span, Statement, is_blank, quoted, skip_blanks, trimmed,
-    whole_number,
+    Args, ClFault, Help, Lexer, NumberLine, PhysicalLine, Span, Statement, is_blank, quoted, skip_blanks,
 };
 use crate::diag::Severity;
 
@@ -75,9 +74,6 @@ pub(crate) fn parse<'a>(text: &'a [u8], given: GivenMeanings<'_>) -> Result<Reco
     }
 }
 
-/// Count of numbers from which on a statement of an unknown word may be a frame or a point with a tool axis.
-const NUMBERS_OF_A_FRAME: usize = 6;
-
 /// A statement of an unknown word that is declared inert. With as many numbers as a frame has it is refused: a path without its
 /// frame is wrong.
 fn inert_unless_many_numbers<'a>(text: &[u8], word_at: Span) -> Result<Record<'a>, ClFault> {
@@ -94,12 +90,6 @@ fn inert_unless_many_numbers<'a>(text: &[u8], word_at: Span) -> Result<Record<'a
         "for a frame of the points after it, as the frame of the part has it, write MCSYS/NUM,1,POINT,x,y,z,VECTOR,i,j,k,VECTOR,i,j,k \
          (origin, X, Y) and add `--frames main`; for a point write GOTO; if it has no effect, delete this statement",
     ))
-}
-
-/// Whether a statement has at least as many numbers as a frame or a point with a tool axis.
-pub(super) fn has_numbers_of_a_frame(text: &[u8]) -> bool {
-    let pieces = text.split(|byte| matches!(byte, b',' | b'/'));
-    pieces.filter(|piece| whole_number(trimmed(piece)).is_some()).count() >= NUMBERS_OF_A_FRAME
 }
 
 /// Whether a CLAMP leaves the clamps to the postprocessor.
@@ -199,25 +189,6 @@ pub(crate) fn next_circle<R: Read>(
     lexer.next_numbers::<_, CIRCLE_NUMBERS_HELD, _>(before, |found| {
         CircleRecord::of(&found.numbers, found.count, 1, found.at)
     })
-}
-
-/// Place of the major word; it may contain `-` and `_`. TOOL PATH is one word with a blank inside, if a slash follows: a listing of
-/// NX ends in `Tool Path Listing has 17 lines.`
-pub(super) fn major_word(text: &[u8]) -> Span {
-    let length = |text: &[u8]| {
-        text.iter().take_while(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_')).count()
-    };
-    let end = length(text);
-    if text[..end].eq_ignore_ascii_case(b"TOOL") {
-        let next = skip_blanks(text, end);
-        let path = next + length(&text[next..]);
-        // The table spells the word with exactly one blank.
-        let has_slash = text.get(skip_blanks(text, path)) == Some(&b'/');
-        if next == end + 1 && has_slash && text[next..path].eq_ignore_ascii_case(b"PATH") {
-            return Span { start: 0, end: path };
-        }
-    }
-    Span { start: 0, end }
 }
 
 /// The statement of the shop that a statement is.

@@ -12,7 +12,7 @@ use super::values::{Point, Text};
 use super::vocabulary::vocabulary;
 use super::{ArcRecord, MachineRecord, MotionRecord, NurbsRecord, ProgramRecord, SubprogramRecord, ToolRecord};
 use super::{arc, comment, coordinates, cycle, machine, motion, nurbs, program, spindle, subprogram, tool};
-use crate::cl::text::{Args, ClFault, MajorWord};
+use crate::cl::text::{Args, ClFault, MajorWord, Span, skip_blanks, trimmed, whole_number};
 
 /// Function that reads the arguments of a word.
 type ReadArgs = for<'a> fn(&mut Args<'a>) -> Result<Record<'a>, ClFault>;
@@ -350,6 +350,34 @@ pub(crate) fn nearest_word(word: &str) -> Option<&'static str> {
         similar.map(|name| (strsim::damerau_levenshtein(&word, name), name)).min_by_key(|(distance, _)| *distance)?;
     (distance <= allowed).then_some(name)
 }
+
+/// Whether a statement has at least as many numbers as a frame or a point with a tool axis.
+pub(super) fn has_numbers_of_a_frame(text: &[u8]) -> bool {
+    let pieces = text.split(|byte| matches!(byte, b',' | b'/'));
+    pieces.filter(|piece| whole_number(trimmed(piece)).is_some()).count() >= NUMBERS_OF_A_FRAME
+}
+
+/// Place of the major word; it may contain `-` and `_`. TOOL PATH is one word with a blank inside, if a slash follows: a listing of
+/// NX ends in `Tool Path Listing has 17 lines.`
+pub(super) fn major_word(text: &[u8]) -> Span {
+    let length = |text: &[u8]| {
+        text.iter().take_while(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_')).count()
+    };
+    let end = length(text);
+    if text[..end].eq_ignore_ascii_case(b"TOOL") {
+        let next = skip_blanks(text, end);
+        let path = next + length(&text[next..]);
+        // The table spells the word with exactly one blank.
+        let has_slash = text.get(skip_blanks(text, path)) == Some(&b'/');
+        if next == end + 1 && has_slash && text[next..path].eq_ignore_ascii_case(b"PATH") {
+            return Span { start: 0, end: path };
+        }
+    }
+    Span { start: 0, end }
+}
+
+/// Count of numbers from which on a statement of an unknown word may be a frame or a point with a tool axis.
+const NUMBERS_OF_A_FRAME: usize = 6;
 
 #[cfg(test)]
 mod tests {

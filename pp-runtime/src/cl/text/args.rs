@@ -4,7 +4,9 @@
 //! an error unless the argument has no effect, and so is an argument that the record does not take: see [`Args::finish`].
 
 use super::fault::{ClFault, Span, quoted};
-use super::lexer::is_blank;
+
+use super::blanks::is_blank;
+use super::blanks::skip_blanks;
 use super::number::{number_at_start, whole_number};
 
 /// One argument without the blanks around it; never empty.
@@ -354,12 +356,4 @@ pub(crate) fn trimmed(piece: &[u8]) -> &[u8] {
     let start = skip_blanks(piece, 0);
     let after = piece[start..].iter().rev().take_while(|byte| is_blank(**byte)).count();
     &piece[start..piece.len() - after]
-}
-
-/// Index of the first byte from `at` on that is not a blank.
-pub(crate) fn skip_blanks(text: &[u8], mut at: usize) -> usize {
-    while at < text.len() && is_blank(text[at]) {
-        at += 1;
-    }
-    at
 }

@@ -10,8 +10,10 @@
 //! A statement on one line is a slice of the read buffer; a joined one is copied to a second buffer, with a list of the
 //! lines that its pieces come from. Both buffers are reused. Nothing is interpreted here.
 
-use super::args::skip_blanks;
+use super::blanks::is_blank;
+use super::blanks::skip_blanks;
 use super::fault::Span;
+use super::line_shape::ShortNumbers;
 use super::line_shape::{LINE_AND_NUMBER, LineShape};
 use super::number::ShortNumber;
 use crate::program::Location;
@@ -64,14 +66,6 @@ impl Statement {
     pub(crate) fn is_joined_code(&self) -> bool {
         self.joined && self.kind == StatementKind::Code
     }
-}
-
-/// Numbers of a statement that has no other arguments, at most `N`.
-pub(crate) struct ShortNumbers<const N: usize> {
-    pub(crate) numbers: [f64; N],
-    pub(crate) count: usize,
-    /// Place of the numbers in the statement.
-    pub(crate) at: Span,
 }
 
 /// A word and at most `N` short numbers, with the shapes that lines of them had.
@@ -495,11 +489,6 @@ pub(crate) enum Beginning {
     Text,
     Binary,
     Empty,
-}
-
-/// Whether a byte is a blank or a tab, or the Ctrl-Z with which DOS programs end a file.
-pub(crate) fn is_blank(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t' | 0x1A)
 }
 
 /// Index of the first `$$` outside quotes.

@@ -5,7 +5,6 @@
 //! their own.
 
 use super::fault::Span;
-use super::lexer::ShortNumbers;
 use super::number::{DigitPlaces, NumberShape, SHORT_NUMBER, two_numbers};
 use crate::shortcut::Shortcut;
 use wide::u8x16;
@@ -142,6 +141,14 @@ impl<const N: usize> LineShape<N> {
         }
         Some(())
     }
+}
+
+/// Numbers of a statement that has no other arguments, at most `N`.
+pub(crate) struct ShortNumbers<const N: usize> {
+    pub(crate) numbers: [f64; N],
+    pub(crate) count: usize,
+    /// Place of the numbers in the statement.
+    pub(crate) at: Span,
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ use crate::kinematics::AnyMachine;
 use crate::motion::{CourseOptions, Mode, Operations};
 use crate::transformation::SheetControl;
 
-use super::inputs::read_text;
+use super::text_file::read_text;
 
 pub(crate) use values::{BlockName, MessageFormat, ReportFile};
 use values::{

@@ -11,8 +11,8 @@ use crate::set_up::{SetUp, Solid, SolidShape, Stock};
 use crate::simulate::{Design, MachineSolid, MachineToolTable, Mesh, SolidBody, SolidFault, StockFault, TriDexel};
 
 use super::super::args::SimulationArgs;
-use super::super::inputs::read_text;
 use super::super::outcome::Failure;
+use super::super::text_file::read_text;
 
 /// Lines of a stock along its longest side, if no pitch is given: at most.
 const MOST_LINES: f64 = 400.0;

@@ -10,7 +10,7 @@ use crate::keys::{
 use crate::kinematics::{Axis, AxisKind, Limits};
 use crate::program::{Clearance, ClearancePlane, Units};
 
-use super::{ClampCodes, CourseOptions, Wrap};
+use super::CourseOptions;
 use crate::motion::tolerances::{CONVERTED_NOISE, INDEX_STEP_NOISE};
 
 const FORMS: &str = "write `{ plane = 80 }`, `{ box = [[-60, -60, -40], [60, 60, 30]] }` or \
@@ -318,4 +318,34 @@ fn read_cylinder(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearanc
             None
         }
     }
+}
+
+/// Rollover of the words of an endless rotary axis; without it the words count beyond 360 degrees.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wrap {
+    /// From 0 up to 360; the control takes the shortest path.
+    Positive,
+    /// From -180 up to 180; the control takes the shortest path.
+    Symmetric,
+    /// From 0 up to 360, with the sense of rotation as sign; zero that is reached backwards is written as -360.
+    Sign,
+}
+
+impl Wrap {
+    /// Names in a file; the first means no rollover.
+    pub(crate) const NAMES: [(&'static str, Option<Self>); 4] = [
+        ("none", None),
+        ("0..360", Some(Self::Positive)),
+        ("+-180", Some(Self::Symmetric)),
+        ("sign", Some(Self::Sign)),
+    ];
+}
+
+/// Codes for the clamp of a rotary axis.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ClampCodes {
+    /// Clamp.
+    pub on: String,
+    /// Unclamp.
+    pub off: String,
 }

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::keys::{OneOf, YesNo, options};
 
+use super::keys::ClampCodes;
+use super::keys::Wrap;
 use super::keys::{CLAMP, GRID, WRAP};
 
 /// Meaning of the words of a program.
@@ -151,34 +153,4 @@ options! {
         /// rotates.
         clamp: BTreeMap<char, ClampCodes> = BTreeMap::new(), key("clamp", CLAMP);
     }
-}
-
-/// Rollover of the words of an endless rotary axis; without it the words count beyond 360 degrees.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Wrap {
-    /// From 0 up to 360; the control takes the shortest path.
-    Positive,
-    /// From -180 up to 180; the control takes the shortest path.
-    Symmetric,
-    /// From 0 up to 360, with the sense of rotation as sign; zero that is reached backwards is written as -360.
-    Sign,
-}
-
-impl Wrap {
-    /// Names in a file; the first means no rollover.
-    pub(crate) const NAMES: [(&'static str, Option<Self>); 4] = [
-        ("none", None),
-        ("0..360", Some(Self::Positive)),
-        ("+-180", Some(Self::Symmetric)),
-        ("sign", Some(Self::Sign)),
-    ];
-}
-
-/// Codes for the clamp of a rotary axis.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ClampCodes {
-    /// Clamp.
-    pub on: String,
-    /// Unclamp.
-    pub off: String,
 }

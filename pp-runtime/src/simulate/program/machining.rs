@@ -5,6 +5,8 @@
 //! straight path is removed, so that one contact is one finding. At rapid, with the spindle off, and for shank and holder the
 //! tool is taken smaller by [`TOUCH_MM`]: it may slide along what it has cut.
 
+use super::outcome::EPS_MM;
+use super::outcome::TOUCH_MM;
 use super::outcome::{Contacting, FoundContact, SimulationOutcome, Size, What};
 use super::recording::Recording;
 use super::set_ups::{PartPlaces, moved};
@@ -15,14 +17,8 @@ use crate::kinematics::{AxisKind, Pose, StepBound};
 use crate::simulate::removal::{LARGEST_TURN, SweptPiece, TriDexel};
 use crate::view::{ExecutedMotion, ExecutedPlace};
 
-/// Tolerance of the removal, mm.
-pub(crate) const EPS_MM: f64 = 1e-3;
-
 /// Largest deviation of a piece from the executed path, mm.
 pub(crate) const PATH_MM: f64 = 3e-3;
-
-/// Depth from which a contact counts, mm.
-pub(crate) const TOUCH_MM: f64 = 0.02;
 
 /// Pieces that are cut at once: 0.5 MB, and as much again for each family of lines.
 const CHUNK: usize = 1024;

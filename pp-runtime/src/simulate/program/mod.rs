@@ -18,7 +18,8 @@ mod tests;
 mod tool_table;
 mod tools;
 
-pub(crate) use machining::{EPS_MM, Machined, Machining};
+pub(crate) use machining::{Machined, Machining};
+pub(crate) use outcome::EPS_MM;
 pub(crate) use outcome::{SimulationOutcome, Size, What};
 pub(crate) use recording::{ClampedStage, Recording, RemovedPart};
 pub(crate) use records::LineRecords;

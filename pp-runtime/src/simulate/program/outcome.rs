@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 
 use super::engagement::Engagement;
-use super::machining::{EPS_MM, TOUCH_MM};
 use super::tools::{ToolBodies, ToolBody};
 use crate::simulate::machine::SHOWN_MM;
 
@@ -348,3 +347,9 @@ impl SimulationOutcome {
         lines
     }
 }
+
+/// Tolerance of the removal, mm.
+pub(crate) const EPS_MM: f64 = 1e-3;
+
+/// Depth from which a contact counts, mm.
+pub(crate) const TOUCH_MM: f64 = 0.02;

@@ -1,8 +1,10 @@
 //! The rows: what a program owes after an event, and what must be so at each place to which it comes.
 
 use crate::check::policy::CheckPolicy;
+use crate::check::policy::LinkPolicy;
 use crate::check::read::OwnPlace;
 use crate::check::rules::Rules;
+use std::collections::BTreeMap;
 
 /// What changes what a program owes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -298,3 +300,32 @@ pub(in crate::check) const NEEDED: [Needed; 73] = [
 const NEEDLESS_HOME: &str =
     "the linear axes have moved to their home positions (`home_on_indexing`), and no rotary axis rotates";
 const SPINDLE_AGAIN: &str = "the control has switched the spindle off after the cycle: M3 or M4 is missing";
+
+/// What is done with a tool at positions of the axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in super::super) enum Station {
+    /// It is changed.
+    Change,
+    /// It is measured, or checked for breakage.
+    Measuring,
+}
+
+impl Station {
+    pub(in super::super) const ALL: [Self; 2] = [Self::Change, Self::Measuring];
+
+    /// Positions of the axes there.
+    pub(in super::super) fn places(self, links: &LinkPolicy) -> &BTreeMap<char, f64> {
+        match self {
+            Self::Change => &links.tool_change_position,
+            Self::Measuring => &links.tool_position,
+        }
+    }
+
+    /// Key of these positions.
+    pub(in super::super) fn key(self) -> &'static str {
+        match self {
+            Self::Change => "retract.tool_change_position",
+            Self::Measuring => "cycles.tool_position",
+        }
+    }
+}

@@ -3,7 +3,8 @@
 use super::super::block::{coolant, settled};
 use super::super::orders::LengthCode;
 use super::group;
-use super::{CodeRow, Language, Means, Pattern, Plane, Smoother, iso, sorted};
+use super::{CodeRow, Language, Means, Plane, Smoother, iso, sorted};
+use crate::check::read::orders::Pattern;
 
 const M: &str = "Fanuc B-63944EN/02 (2004), auxiliary functions; the machine builder's list of M codes (from memory)";
 

@@ -3,7 +3,8 @@
 use super::super::block::{FeedMode, SideOfPath, WorkPlane, coolant};
 use super::super::orders::{Code, LengthCode};
 use super::group;
-use super::{Address, CodeRow, Means, PathCode, Pattern, StatementWord};
+use super::{Address, CodeRow, Means, PathCode, StatementWord};
+use crate::check::read::orders::Pattern;
 use crate::program::{Rotation, Units};
 
 /// The chapters that list these codes. A difference between the controls is in the table of the control.

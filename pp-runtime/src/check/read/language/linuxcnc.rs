@@ -3,7 +3,8 @@
 use super::super::block::{coolant, settled};
 use super::super::orders::Code;
 use super::group;
-use super::{CodeRow, Language, Means, PathCode, Pattern, StatementWord, iso, sorted};
+use super::{CodeRow, Language, Means, PathCode, StatementWord, iso, sorted};
+use crate::check::read::orders::Pattern;
 
 const G: &str = "LinuxCNC 2.9 G-code documentation";
 const ORDERS: &str = "LinuxCNC 5c41560 (2026), interp_convert.cc, convert_comment";

@@ -2,6 +2,7 @@
 
 use super::super::block::{FeedMode, SideOfPath, WorkPlane};
 use super::super::orders::{Code, LengthCode};
+use crate::check::read::orders::Pattern;
 use crate::program::{Rotation, Units};
 
 /// Meaning of a code or a word.
@@ -131,30 +132,6 @@ pub(in super::super) enum StatementWord {
     TcpmOff,
     Stop,
     ModalCall,
-}
-
-/// How a canned cycle makes its hole.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in super::super) enum Pattern {
-    Drill,
-    Ream,
-    Peck,
-    ChipBreak,
-    /// In step with the spindle.
-    Tap {
-        left: bool,
-    },
-    /// In step with the spindle after M29 only.
-    TapAfterRigid {
-        left: bool,
-    },
-    /// Never in step with the spindle.
-    FloatingTap {
-        left: bool,
-    },
-    Bore,
-    /// The spindle stops at an angle, and the tool leaves the wall.
-    FineBore,
 }
 
 /// How the words of a tilted plane count.

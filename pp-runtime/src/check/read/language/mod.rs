@@ -19,7 +19,7 @@ mod siemens;
 mod texts;
 
 pub(super) use arguments::{ArgumentRole, List};
-pub(super) use means::{Address, Means, PathCode, Pattern, Plane, Smoother, StatementWord};
+pub(super) use means::{Address, Means, PathCode, Plane, Smoother, StatementWord};
 pub(crate) use print::table;
 
 use super::Family;

@@ -2,7 +2,8 @@
 
 use super::super::block::{FeedMode, SideOfPath, settled};
 use super::super::orders::{Code, LengthCode};
-use super::{Address, Means, PathCode, Pattern, Plane, StatementWord};
+use super::{Address, Means, PathCode, Plane, StatementWord};
+use crate::check::read::orders::Pattern;
 use crate::program::{Rotation, Units};
 
 impl Means {

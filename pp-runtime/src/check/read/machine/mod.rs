@@ -8,11 +8,12 @@ mod hole;
 mod modes;
 mod motion;
 
-use super::super::policy::RolloverRule;
-use super::block::{Action, Block, MAX_AXES, State, TipControl, stated};
+use super::block::{Action, Block, State, TipControl, stated};
 use super::facts::{Facts, LineForm};
-use super::language::{Letters, Pattern};
+use super::language::Letters;
 use super::orders::{Act, Code, Cycle, ModeOrder, MotionOrder, Orders, effect, fault};
+use crate::check::read::MAX_AXES;
+use crate::check::read::orders::Pattern;
 use crate::program::Units;
 use hole::Canned;
 
@@ -502,4 +503,13 @@ impl Interpreter {
         (self.settled, self.state.settled) = (0, 0);
         self.stated &= !(stated::OFFSET | stated::MODES);
     }
+}
+
+/// Words of a rotary axis that the control reduces to one revolution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RolloverRule {
+    /// The axis takes the shorter way.
+    Shortest,
+    /// The sign of the word is the direction.
+    Sign,
 }

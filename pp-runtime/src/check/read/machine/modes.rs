@@ -1,9 +1,9 @@
 //! What codes change in the state of the control.
 
-use super::super::block::{Block, BlockFault, FeedMode, Length, MAX_AXES, SideOfPath, Tilt, TipControl, coolant};
+use super::super::block::{Block, BlockFault, FeedMode, Length, SideOfPath, Tilt, TipControl, coolant};
 use super::super::facts::LineForm;
 use super::super::orders::{Code, LengthCode, ModeOrder, TiltCode, fault};
-use super::{FrameBits, Interpreter};
+use super::{FrameBits, Interpreter, MAX_AXES};
 use crate::check::tolerances::UNIT_VECTOR;
 
 impl Interpreter {

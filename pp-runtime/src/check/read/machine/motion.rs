@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::super::super::policy::RolloverRule;
-use super::super::block::{Action, Block, BlockFault, Length, MAX_AXES, set_bits};
+use super::super::block::{Action, Block, BlockFault, Length, set_bits};
 use super::super::orders::{ArcWords, Code, ModeOrder, MotionOrder, Orders, WrittenAxisWords, fault};
 use super::{Act, Interpreter, arc};
+use crate::check::read::{MAX_AXES, RolloverRule};
 use crate::check::tolerances::{ROLLOVER_NOISE, SAME_ROTARY_WORD};
 
 impl Interpreter {

@@ -1,0 +1,325 @@
+//! What keeps the house small: fields of a struct, lines of a function, circles between the modules of a folder. What is larger is
+//! listed, with its size: the lists only shrink.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use syn::spanned::Spanned;
+use syn::visit::{self, Visit};
+use tests::binaries::workspace;
+
+use super::architecture::{sources, test_modules};
+
+/// Sources that are judged.
+const SOURCES: &[&str] = &[
+    "pp-macros/src",
+    "pp-macros/codegen/src",
+    "pp-runtime/src",
+    "pp-runtime/conformance/src",
+    "machines/src",
+    "examples/src",
+    "tests/src",
+];
+
+const MOST_FIELDS: usize = 20;
+const MOST_LINES: usize = 80;
+
+/// Structs with more fields.
+const LARGE_STRUCTS: &[(&str, usize)] = &[
+    ("pp-runtime/src/check/compare/mod.rs: Previous", 26),
+    ("pp-runtime/src/check/expect/modal.rs: ClState", 28),
+    ("pp-runtime/src/check/policy.rs: LinkPolicy", 23),
+    ("pp-runtime/src/check/policy.rs: ShopBlocks", 26),
+    ("pp-runtime/src/check/read/facts.rs: Facts", 60),
+    ("pp-runtime/src/check/read/state.rs: State", 34),
+    ("pp-runtime/src/cl/meaning/interpret.rs: RecordInterpreter", 21),
+    ("pp-runtime/src/cli/args/mod.rs: SetUpArgs", 27),
+    ("pp-runtime/src/control/dialects/spellings.rs: Spellings", 70),
+    ("pp-runtime/src/control/encode/modal_writer/mod.rs: ModalWriter", 25),
+    ("pp-runtime/src/control/encode/values.rs: Values", 23),
+    ("pp-runtime/src/motion/place/mod.rs: Placer", 21),
+    ("pp-runtime/src/motion/plan/abilities.rs: Abilities", 26),
+    ("pp-runtime/src/post/survey.rs: Survey", 21),
+    ("pp-runtime/src/view/head.rs: ViewHead", 21),
+    ("tests/src/foreign/state.rs: State", 36),
+];
+
+/// Functions with more lines.
+const LONG_FUNCTIONS: &[(&str, usize)] = &[
+    ("pp-runtime/src/check/compare/obligations.rs: is_missing", 90),
+    ("pp-runtime/src/check/read/compose.rs: ask", 93),
+    ("pp-runtime/src/check/read/facts.rs: facts", 146),
+    ("pp-runtime/src/check/read/flow/mod.rs: execute", 99),
+    ("pp-runtime/src/check/read/language/texts.rs: text", 93),
+    ("pp-runtime/src/check/read/machine/modes.rs: set", 106),
+    ("pp-runtime/src/check/read/state.rs: join", 83),
+    ("pp-runtime/src/cl/meaning/arc.rs: normal_and_angle", 83),
+    ("pp-runtime/src/cli/posting.rs: run", 94),
+    ("pp-runtime/src/cli/simulate/mod.rs: run", 90),
+    ("pp-runtime/src/cli/simulate/mod.rs: simulate", 108),
+    ("pp-runtime/src/control/encode/mod.rs: encode", 89),
+    ("pp-runtime/src/control/fit.rs: unsupported", 150),
+    ("pp-runtime/src/control/lacking.rs: take_out_lacking", 81),
+    ("pp-runtime/src/post/header.rs: assumptions", 91),
+    ("pp-runtime/src/simulate/removal/stock.rs: cut", 94),
+    ("pp-runtime/src/simulate/removal/sweep.rs: enter", 108),
+    ("pp-runtime/src/transformation/linuxcnc/component.rs: component", 146),
+    ("pp-runtime/src/transformation/sheet/siemens/traori.rs: transformation", 93),
+    ("tests/src/edits/verdict/difference.rs: moved", 91),
+    ("tests/src/edits/verdict/rearranged.rs: rearranged", 151),
+    ("tests/src/foreign/machine/modes.rs: mode", 115),
+    ("tests/src/foreign/mod.rs: line", 96),
+];
+
+/// Modules of one folder that use each other in a circle.
+const CIRCLES: &[&[&str]] = &[
+    &["check::read::flow::expression", "check::read::flow::variables"],
+    &["check::read::language", "check::read::orders"],
+    &["cl::events", "cl::reader"],
+    // The table of words names the functions that read them, and two of these ask it for words.
+    &["cl::record::comment", "cl::record::vocabulary", "cl::record::words"],
+    &["cli::posting", "cli::simulate", "cli::view"],
+    &["control::dialects", "control::layout", "control::options", "control::states"],
+    &["edits::places", "edits::verdict"],
+    &["emit::c::edge", "emit::c::inverse"],
+    &["kinematics::any", "kinematics::machine", "kinematics::machines", "kinematics::motion", "kinematics::words"],
+    &["simulate::machine", "simulate::program"],
+    &["syntax::chain", "syntax::parse"],
+];
+
+/// What is larger than it may be, as `file: name` with its size.
+#[derive(Default)]
+struct Large {
+    file: String,
+    structs: BTreeMap<String, usize>,
+    functions: BTreeMap<String, usize>,
+}
+
+impl Large {
+    fn function(&mut self, name: &syn::Ident, block: &impl Spanned, signature: &impl Spanned) {
+        let lines = block.span().end().line + 1 - signature.span().start().line;
+        if lines > MOST_LINES {
+            self.functions.insert(format!("{}: {name}", self.file), lines);
+        }
+    }
+}
+
+fn is_test(attributes: &[syn::Attribute]) -> bool {
+    attributes.iter().any(|attribute| {
+        attribute.path().is_ident("test")
+            || matches!(&attribute.meta, syn::Meta::List(list) if list.path.is_ident("cfg") && list.tokens.to_string() == "test")
+    })
+}
+
+impl<'ast> Visit<'ast> for Large {
+    fn visit_item_mod(&mut self, item: &'ast syn::ItemMod) {
+        if !is_test(&item.attrs) {
+            visit::visit_item_mod(self, item);
+        }
+    }
+
+    fn visit_item_struct(&mut self, item: &'ast syn::ItemStruct) {
+        if item.fields.len() > MOST_FIELDS {
+            self.structs.insert(format!("{}: {}", self.file, item.ident), item.fields.len());
+        }
+    }
+
+    fn visit_item_fn(&mut self, item: &'ast syn::ItemFn) {
+        if !is_test(&item.attrs) {
+            self.function(&item.sig.ident, &item.block, &item.sig);
+            visit::visit_item_fn(self, item);
+        }
+    }
+
+    fn visit_impl_item_fn(&mut self, item: &'ast syn::ImplItemFn) {
+        self.function(&item.sig.ident, &item.block, &item.sig);
+        visit::visit_impl_item_fn(self, item);
+    }
+}
+
+/// Files of the product, without tests.
+fn product_files() -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    for folder in SOURCES {
+        let mut here = Vec::new();
+        sources(&workspace().join(folder), &mut here);
+        let tests = test_modules(&here);
+        here.retain(|file| !file.with_extension("").ancestors().any(|module| tests.contains(module)));
+        files.extend(here);
+    }
+    files
+}
+
+fn shown(path: &Path) -> String {
+    path.strip_prefix(workspace()).expect("a file of the project").display().to_string()
+}
+
+/// Compares what is larger than it may be with its list.
+fn compare(found: &BTreeMap<String, usize>, listed: &[(&str, usize)]) {
+    let mut faults = Vec::new();
+    for (name, size) in found {
+        match listed.iter().find(|(listed, _)| listed == name) {
+            None => faults.push(format!("(\"{name}\", {size}),")),
+            Some((_, most)) if size > most => faults.push(format!("{name}: {size}, and its list has {most}")),
+            Some((_, most)) if size < most => faults.push(format!("{name}: {size}; lower its number {most}")),
+            Some(_) => {}
+        }
+    }
+    faults.extend(
+        listed.iter().filter(|(name, _)| !found.contains_key(*name)).map(|(name, _)| format!("{name}: take it off")),
+    );
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn structs_and_functions_have_one_idea() {
+    let mut large = Large::default();
+    for file in product_files() {
+        let text = fs::read_to_string(&file).expect("it can be read");
+        large.file = shown(&file);
+        large.visit_file(&syn::parse_file(&text).expect("Rust"));
+    }
+    compare(&large.structs, LARGE_STRUCTS);
+    compare(&large.functions, LONG_FUNCTIONS);
+}
+
+/// Paths of a file, each as its segments; those of tests are left out.
+#[derive(Default)]
+struct Paths(Vec<Vec<String>>);
+
+impl Paths {
+    fn tree(&mut self, tree: &syn::UseTree, before: &[String]) {
+        let with = |name: &syn::Ident| [before, &[name.to_string()]].concat();
+        match tree {
+            syn::UseTree::Path(path) => self.tree(&path.tree, &with(&path.ident)),
+            syn::UseTree::Name(name) => self.0.push(with(&name.ident)),
+            syn::UseTree::Rename(name) => self.0.push(with(&name.ident)),
+            syn::UseTree::Group(group) => group.items.iter().for_each(|tree| self.tree(tree, before)),
+            syn::UseTree::Glob(_) => self.0.push(before.to_vec()),
+        }
+    }
+}
+
+impl<'ast> Visit<'ast> for Paths {
+    fn visit_item_mod(&mut self, item: &'ast syn::ItemMod) {
+        // Modules inside a file are those of tests.
+        if item.content.is_some() && !is_test(&item.attrs) {
+            visit::visit_item_mod(self, item);
+        }
+    }
+
+    fn visit_item_use(&mut self, item: &'ast syn::ItemUse) {
+        if !is_test(&item.attrs) {
+            self.tree(&item.tree, &[]);
+        }
+    }
+
+    fn visit_item_fn(&mut self, item: &'ast syn::ItemFn) {
+        if !is_test(&item.attrs) {
+            visit::visit_item_fn(self, item);
+        }
+    }
+
+    fn visit_path(&mut self, path: &'ast syn::Path) {
+        self.0.push(path.segments.iter().map(|segment| segment.ident.to_string()).collect());
+        visit::visit_path(self, path);
+    }
+}
+
+/// A path from the root of the crate; `place`: the module that has it.
+fn from_root(path: &[String], place: &[String]) -> Option<Vec<String>> {
+    let supers = path.iter().take_while(|name| *name == "super").count();
+    match path.first()?.as_str() {
+        "crate" => Some(path[1..].to_vec()),
+        "self" => Some([place, &path[1..]].concat()),
+        "super" => Some([&place[..place.len().checked_sub(supers)?], &path[supers..]].concat()),
+        _ => None,
+    }
+}
+
+/// The modules of a crate, each with its paths from the root.
+fn modules(source: &Path) -> BTreeMap<Vec<String>, Vec<Vec<String>>> {
+    let mut files = Vec::new();
+    sources(source, &mut files);
+    let tests = test_modules(&files);
+    let is_product = |file: &&PathBuf| !file.with_extension("").ancestors().any(|module| tests.contains(module));
+    let module = |file: &PathBuf| {
+        let inside = file.strip_prefix(source).expect("a file of the folder").with_extension("");
+        let place: Vec<String> = inside.iter().map(|part| part.to_string_lossy().into_owned()).collect();
+        let place: Vec<String> = place.into_iter().filter(|part| part != "mod" && part != "lib").collect();
+        let mut paths = Paths::default();
+        paths.visit_file(&syn::parse_file(&fs::read_to_string(file).expect("it can be read")).expect("Rust"));
+        // What a module takes from a module in it: `mod lexer; pub(crate) use lexer::Line;`.
+        let own = |path: &Vec<String>| from_root(path, &place).unwrap_or_else(|| [&place[..], path].concat());
+        let paths = paths.0.iter().map(own).collect();
+        (place, paths)
+    };
+    files.iter().filter(is_product).map(module).collect()
+}
+
+/// Modules of one folder that use each other in a circle, with what each takes from another one.
+fn circles(source: &Path) -> BTreeMap<Vec<String>, BTreeSet<String>> {
+    let modules = modules(source);
+    let folders: BTreeSet<&[String]> =
+        modules.keys().filter_map(|place| place.split_last()).map(|(_, folder)| folder).collect();
+    let mut circles = BTreeMap::new();
+    for folder in folders {
+        let child = |path: &[String]| path.strip_prefix(folder).and_then(|inside| inside.first()).cloned();
+        let children: BTreeSet<String> = modules.keys().filter_map(|place| child(place)).collect();
+        // Names that the folder takes from the modules in it.
+        let mut taken: BTreeMap<&String, String> = BTreeMap::new();
+        for path in modules.get(folder).into_iter().flatten().filter(|path| path.len() > folder.len() + 1) {
+            if let Some(of) = child(path).filter(|of| children.contains(of)) {
+                taken.insert(path.last().expect("a name"), of);
+            }
+        }
+        let mut uses: BTreeMap<String, BTreeMap<String, BTreeSet<String>>> = BTreeMap::new();
+        for (place, paths) in &modules {
+            let Some(here) = child(place) else { continue };
+            for path in paths {
+                let Some(name) = child(path) else { continue };
+                let used = if children.contains(&name) { Some(name) } else { taken.get(&name).cloned() };
+                let Some(used) = used.filter(|used| *used != here) else { continue };
+                let item = format!("{} takes {}", place.join("::"), path.join("::"));
+                uses.entry(here.clone()).or_default().entry(used).or_default().insert(item);
+            }
+        }
+        let reached = |from: &String| {
+            let (mut reached, mut open) = (BTreeSet::new(), vec![from.clone()]);
+            while let Some(name) = open.pop() {
+                let next = uses.get(&name).into_iter().flat_map(BTreeMap::keys);
+                open.extend(next.filter(|next| reached.insert((*next).clone())).cloned());
+            }
+            reached
+        };
+        let all: BTreeMap<&String, BTreeSet<String>> = children.iter().map(|name| (name, reached(name))).collect();
+        for (name, reached) in &all {
+            let circle: Vec<String> = children
+                .iter()
+                .filter(|other| reached.contains(*other) && all[other].contains(*name))
+                .cloned()
+                .collect();
+            if circle.len() > 1 {
+                let between = |name: &String| {
+                    let used = uses[name].iter().filter(|(used, _)| circle.contains(used));
+                    used.flat_map(|(_, items)| items.clone()).collect::<Vec<_>>()
+                };
+                let items = circle.iter().flat_map(between).collect();
+                let names = circle.iter().map(|name| [folder, &[name.clone()]].concat().join("::")).collect();
+                circles.insert(names, items);
+            }
+        }
+    }
+    circles
+}
+
+#[test]
+fn no_modules_of_a_folder_use_each_other_in_a_circle() {
+    let mut found: BTreeMap<_, _> = SOURCES.iter().flat_map(|folder| circles(&workspace().join(folder))).collect();
+    for circle in CIRCLES {
+        let circle: Vec<String> = circle.iter().map(|name| (*name).to_owned()).collect();
+        assert!(found.remove(&circle).is_some(), "no circle any more, take it off the list: {circle:?}");
+    }
+    assert!(found.is_empty(), "{found:#?}");
+}
