@@ -7,7 +7,7 @@ use crate::motion::{
     self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PlaneAbility, Registers, StretchMode, ThreadFeed,
     TipAbility, TipStart, Transition, UnusedCycles, UsableModes, Wrap, rotaries_of,
 };
-use crate::program::{Coolant, Units};
+use crate::program::{Coolant, Shown, Units};
 use crate::set_up::LengthMode;
 
 use super::dialects::{
@@ -85,19 +85,7 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
             codes.name
         ));
     }
-    let own = std::iter::once(("work_offset", &demands.set_up.work_offset));
-    let further = demands.set_up.set_ups.values().filter_map(|set_up| set_up.work_offset.as_ref());
-    for (key, offset) in own.chain(further.map(|offset| ("set_ups", offset))) {
-        if control.work_offset(offset).is_none() {
-            faults.push(format!("{title} has no work offset `{offset}`: correct `{key}`"));
-        }
-    }
-    for (letter, name) in &options.axes {
-        if control.axis_word(name).is_none() {
-            faults
-                .push(format!("{title} permits no axis name `{name}`: correct the name of {letter} in `control.axes`"));
-        }
-    }
+    faults.extend(unknown_words(control, demands));
     let digits = codes.number_digits;
     if digits > 0 && options.program_number.is_some_and(|number| number.to_string().len() > digits) {
         faults.push(format!("`control.program_number` has too many digits: {title} permits at most {digits}"));
@@ -310,6 +298,37 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
         holds_axis_speeds: control.spellings().tip_control_holds_axis_speeds,
     };
     own.or_else(|| configured.then_some(plain))
+}
+
+/// Work offsets, axis names and offsets of rotary words that the control cannot have.
+fn unknown_words(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
+    let (title, options) = (control.spellings().title, &demands.options);
+    let mut faults = Vec::new();
+    let own = std::iter::once(("work_offset", &demands.set_up.work_offset));
+    let further = demands.set_up.set_ups.values().filter_map(|set_up| set_up.work_offset.as_ref());
+    for (key, offset) in own.chain(further.map(|offset| ("set_ups", offset))) {
+        if control.work_offset(offset).is_none() {
+            faults.push(format!("{title} has no work offset `{offset}`: correct `{key}`"));
+        }
+    }
+    for (letter, name) in &options.axes {
+        if control.axis_word(name).is_none() {
+            faults
+                .push(format!("{title} permits no axis name `{name}`: correct the name of {letter} in `control.axes`"));
+        }
+    }
+    let decimals = demands.formats.rotary;
+    let units = |offset_rad: f64| offset_rad.to_degrees() * 10_f64.powi(decimals as i32);
+    let is_finer = |offset_rad: f64| (units(offset_rad) - units(offset_rad).round()).abs() > 1e-3;
+    let finer = demands.set_up.rotary_offset.iter().filter(|(_, offset_rad)| is_finer(**offset_rad));
+    faults.extend(finer.map(|(letter, offset_rad)| {
+        format!(
+            "`rotary_offset.{letter}` is {} degrees, and rotary words have {decimals} decimals: give it as the control shows it, or set \
+             `formats.rotary`",
+            Shown(offset_rad.to_degrees())
+        )
+    }));
+    faults
 }
 
 /// Why the zero of the words cannot follow the table in mode "plane".

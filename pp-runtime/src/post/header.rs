@@ -193,7 +193,7 @@ pub(crate) fn set_up(machine: &dyn AnyMachine, control: &dyn Control, config: &C
     let units = units_of(config, survey);
     let mut list = Vec::new();
     if let Some(Ok(selected)) = &survey.selected {
-        let (first, last, all) = (selected.start(), selected.end(), survey.operations);
+        let (first, last, all) = (selected.start(), selected.end().min(&survey.operations), survey.operations);
         list.push(format!(
             "only operations {first} to {last} of {all}; the program begins with a complete restart: modal codes, tool, \
              offset, spindle"

@@ -57,20 +57,21 @@ impl SelectedOperations {
         }
     }
 
-    /// Numbers of the selected operations, of `operations` in all; `None` for all, a sentence if they do not exist.
+    /// Numbers of the selected operations, of `operations` in all; `None` for all, a sentence if they do not exist. Where they go on to
+    /// the end, the records after the last operation are selected, too.
     pub(super) fn numbers(&self, operations: u64) -> Option<Result<RangeInclusive<u64>, String>> {
         Some(match self.select.as_ref()? {
             Operations::Range(first, last) => {
-                let last = last.unwrap_or(operations).max(*first);
-                if last > operations {
+                let missing = last.unwrap_or(*first).max(*first);
+                if missing > operations {
                     let count = super::counted(operations, "operation");
-                    Err(format!("the CL data has {count}: there is no operation {last}"))
+                    Err(format!("the CL data has {count}: there is no operation {missing}"))
                 } else {
-                    Ok(*first..=last)
+                    Ok(*first..=last.map_or(u64::MAX, |last| last.max(*first)))
                 }
             }
             Operations::From(name) => match self.first {
-                Some(first) => Ok(first..=operations),
+                Some(first) => Ok(first..=u64::MAX),
                 None => Err(format!("no operation of the CL data is called `{name}`: {}", self.known_names(name))),
             },
         })

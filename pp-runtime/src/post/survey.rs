@@ -316,7 +316,11 @@ impl Surveyor {
                 }
             }
             Event::NewStart(NewStart::Operation(name)) => self.selection.name(name),
-            Event::NewStart(NewStart::Tool(ToolCall { number: 0, .. })) => self.survey.empties_spindle = true,
+            Event::NewStart(NewStart::Tool(ToolCall { number: 0, .. })) => {
+                // A tool that was called and has not moved never comes into the spindle.
+                self.survey.empties_spindle = true;
+                (self.call, self.called) = (None, false);
+            }
             Event::NewStart(NewStart::Tool(call)) => self.call_tool(at, call),
             Event::Function(MachineFunction::Spindle(Spindle::On { .. })) => self.spindle = true,
             Event::Interruption(Interruption::BlockSkip { .. }) => self.survey.skips = true,

@@ -91,7 +91,7 @@ impl Comparison<'_> {
             self.previous.switched[index] = is_on[index] && block.own.is_none();
             self.previous.started |= index == 0 && is_on[index];
         }
-        if matches!(block.action, Action::Dwell(_)) {
+        if matches!(block.action, Action::Dwell(_) | Action::Stop | Action::OptionalStop) {
             self.previous.switched = [false; 2];
         }
     }
@@ -173,7 +173,9 @@ impl Comparison<'_> {
         }
         let starts_tool = |place: &OwnPlace| *place != OwnPlace::MeasureTool;
         let runs = current.block.stated & stated::SPINDLE != 0 && current.block.state.spindle.flatten().is_some();
-        if runs && own.places.iter().all(starts_tool) {
+        // It runs for a dwell of the CL data, and is programmed again.
+        let waits = self.functions.waits_with().is_some();
+        if runs && !waits && own.places.iter().all(starts_tool) {
             self.found(current, "this line comes after the spindle of its operation has started");
         }
         let of_operation = own.places.iter().all(|place| *place == OwnPlace::OperationStart);
@@ -214,7 +216,9 @@ impl Comparison<'_> {
             let stops = |item: &ExpectedItem| {
                 matches!(item.action, ExpectedAction::Stop { .. }) && tool.is_some() && item.required.tool == tool
             };
-            if self.progress.next().is_some_and(stops) {
+            // After blocks that measure the tool its modes are stated again.
+            let restates = self.duties.owes(Duty::ModesAgain);
+            if !restates && self.progress.next().is_some_and(stops) {
                 self.duties.happens(DutyEvent::StopPassed);
             }
             self.duties.happens(DutyEvent::CompleteState);

@@ -115,7 +115,7 @@ impl Comparison<'_> {
         let (before, at_part) = (&self.setters.at_block, phase.is_some_and(Phase::is_at_part));
         let unstated = |bit| current.block.stated & bit == 0;
         match what {
-            Duty::CompleteState | Duty::RetractAfterShopLine => return self.duties.owes(what),
+            Duty::CompleteState | Duty::ModesAgain | Duty::RetractAfterShopLine => return self.duties.owes(what),
             Duty::Retract => return at_part || self.duties.owes(what),
             Duty::DrainDwell
             | Duty::SpindleDwell
@@ -252,6 +252,7 @@ mod tests {
             | Duty::CycleAtLevel
             | Duty::RotationAfterHome
             | Duty::StopInTime
+            | Duty::ModesAgain
             | Duty::MotionInFrame
             | Duty::ApproachEnded
             | Duty::CutsEnded

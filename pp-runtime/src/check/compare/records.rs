@@ -221,6 +221,12 @@ impl Comparison<'_> {
 
     pub(super) fn dwell(&mut self, phase: &mut Phase, seconds: f64, current: &Current<'_>) -> io::Result<()> {
         self.pass_needless(phase)?;
+        // The spindle waits first, and a dwell of the CL data may be as long.
+        let spindle = self.rules.policy().links.spindle_dwell_s;
+        let of_spindle = self.previous.spindle_waits && (spindle - seconds).abs() <= ROUNDED_DWELL;
+        if of_spindle {
+            return Ok(());
+        }
         if let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds: expected, spindle, .. }, required, .. }) =
             self.progress.next()
             && (expected - seconds).abs() <= ROUNDED_DWELL
@@ -259,10 +265,7 @@ impl Comparison<'_> {
             self.duties.happens(DutyEvent::Drained);
             return Ok(());
         }
-        let spindle = self.rules.policy().links.spindle_dwell_s;
-        if !self.previous.spindle_waits || (spindle - seconds).abs() > ROUNDED_DWELL {
-            self.found(current, &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"));
-        }
+        self.found(current, &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"));
         Ok(())
     }
 
@@ -368,8 +371,18 @@ impl Comparison<'_> {
 
     /// The end code.
     pub(super) fn end(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Phase> {
-        self.progress.fill(1)?;
+        self.progress.fill(2)?;
         self.pass_needless(phase)?;
+        let marks = |index: usize| {
+            matches!(
+                self.progress.get(index),
+                Some(ExpectedItem { action: ExpectedAction::BlockSkip { on: true }, .. })
+            )
+        };
+        if marks(0) && self.progress.get(1).is_none() {
+            // The blocks that may be skipped belong to no selected operation.
+            self.progress.take();
+        }
         if self.progress.next().is_some() {
             self.found(current, "end code before the end of the CL data");
         } else if let Some(last) = self.progress.last_tool().filter(|_| self.progress.last_tool() != self.previous.tool)

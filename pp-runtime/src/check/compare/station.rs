@@ -4,7 +4,7 @@
 use super::super::expect::Required;
 use super::super::read::{Action, Block, OwnLine, OwnPlace, stated};
 use super::super::rules::ModalContext;
-use super::obligations::{Duty, DutyPlace, Station};
+use super::obligations::{Duty, DutyEvent, DutyPlace, Station};
 use super::phase::{Phase, Retracted};
 use super::{Comparison, Current, Previous, parking};
 
@@ -99,6 +99,9 @@ impl Comparison<'_> {
     /// A tool is measured with the axes at their positions for that.
     pub(super) fn measures_at_tool_position(&mut self, own: &OwnLine, current: &Current<'_>) {
         let measures = |place: &OwnPlace| matches!(place, OwnPlace::MeasureTool | OwnPlace::CheckTool);
+        if own.places.iter().all(measures) {
+            self.duties.happens(DutyEvent::Measured);
+        }
         if own.places.iter().all(measures) && !self.duties.owes(Duty::RetractAfterShopLine) {
             self.come_to(DutyPlace::Measuring, None, current);
             self.is_at_station(Station::Measuring, current);

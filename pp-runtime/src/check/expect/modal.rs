@@ -438,9 +438,13 @@ impl<'a> ClState<'a> {
         };
         request.last_side = request.side;
         request.register = asked.register.or(request.register.filter(|_| asked.side == CutterSide::On));
+    }
+
+    /// The radius register of a compensation that begins: that of the tool which then is in the spindle, unless another is given.
+    fn radius_register(&self) -> u32 {
         let tool = self.required.tool.unwrap_or(0);
         let given = self.policy.set_up.tools.get(&tool).and_then(|tool| tool.radius_offset);
-        self.require().radius_register = given.or(request.register).unwrap_or(tool);
+        given.or(self.compensation.register).unwrap_or(tool)
     }
 
     /// Another operation begins; `same`: with the tool of the last one.
@@ -482,7 +486,7 @@ impl<'a> ClState<'a> {
 
     /// OPSKIP.
     fn block_skip(&mut self, at: Location, on: bool) {
-        let begins = on && self.is_selected(self.operation.number, self.operation.reached);
+        let begins = on && self.is_selected_here();
         if begins == self.skippable || on && !begins {
             return;
         }
@@ -558,7 +562,9 @@ impl<'a> ClState<'a> {
         self.go_back(at, motion);
         let side = self.compensation.side;
         if side != self.required.side && (side == SideOfPath::None || self.is_perpendicular(motion)) {
-            self.require().side = side;
+            let register = self.radius_register();
+            let required = self.require();
+            (required.side, required.radius_register) = (side, register);
         }
         self.motion(at, motion, PathShape::Line);
     }
@@ -591,14 +597,16 @@ impl<'a> ClState<'a> {
             return;
         }
         let operation = &self.operation;
-        let stays = operation.position_known && !operation.changed;
+        // The program begins with a selected operation: that does not go on from one before.
+        let stays =
+            operation.position_known && !operation.changed && self.is_selected(operation.number, operation.reached);
         let continues = stays && (self.policy.links.direct || operation.starts && self.links_to(motion));
         let starts = operation.starts && !continues;
         // A hole is one statement, which no cut goes on from.
         self.goes_on = self.hole.is_none();
         self.here = Some(motion.pose);
-        let operation = &self.operation;
-        if operation.starts {
+        let begins = self.operation.starts;
+        if begins {
             self.start_operation(at);
         }
         self.operation.position_known = true;
@@ -612,6 +620,10 @@ impl<'a> ClState<'a> {
         let to = tool_pose(&motion.pose);
         let feed = motion.feed.map(|feed| if self.in_thread() { feed } else { self.capped(feed) });
         self.push(at, ExpectedAction::Motion(ClMotion { to, shape, rapid: motion.rapid, feed, starts }));
+        // A SPINDL after the operation before counts until here.
+        if begins && self.required.requested_spindle.is_some() {
+            self.require().requested_spindle = None;
+        }
     }
 
     /// An operation begins with its first motion.
@@ -626,7 +638,6 @@ impl<'a> ClState<'a> {
         let number = self.operation.number;
         let required = self.require();
         required.operation = number;
-        required.requested_spindle = None;
         self.take_rules(first_motion);
     }
 
@@ -795,16 +806,20 @@ impl<'a> ClState<'a> {
         }
     }
 
+    /// Whether a record is in the program. Records after the call of a tool belong to the operation that comes.
+    #[inline(always)]
+    fn is_selected_here(&self) -> bool {
+        let OperationState { number, starts, called, reached, named, .. } = self.operation;
+        self.is_selected(number + u64::from(starts && called), reached || starts && called && named)
+    }
+
     #[inline(always)]
     fn push(&mut self, at: Location, action: ExpectedAction) {
-        // Records after the call of a tool belong to the operation that comes.
-        let OperationState { number, starts, called, reached, named, .. } = self.operation;
-        let (opens, begins) = (u64::from(starts && called), starts && called && named);
         if !matches!(action, ExpectedAction::BlockSkip { .. }) {
             self.before_call = None;
         }
         self.operation.stopped = false;
-        if self.is_selected(number + opens, reached || begins) {
+        if self.is_selected_here() {
             let is_motion = matches!(action, ExpectedAction::Motion(_));
             self.items.push(ExpectedItem {
                 at,

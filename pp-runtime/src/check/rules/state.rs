@@ -215,7 +215,9 @@ impl Rules<'_> {
     ) -> Option<StateFault> {
         // Where a call moves nothing, the length is in force again after the retract.
         let called = register.filter(|_| !self.facts.length_moves).map(Length::Register);
-        self.everywhere(state, SideOfPath::None, ModalContext::default())
+        // Where the tool call names the plane, blocks that may be skipped may have called the tool.
+        let context = ModalContext { no_plane: true, ..ModalContext::default() };
+        self.everywhere(state, SideOfPath::None, context)
             .or_else(|| inverse_time(state))
             .or_else(|| {
                 (state.tip_control != TipControl::Off).then(|| "tip control is still on at the end code".to_owned())

@@ -4,6 +4,8 @@
 //! minus its offset; tip and axis follow through the chain. Under tip control the linear words are the tip itself, in a
 //! frame that is fixed to the table or to the machine. In a tilted plane they are the tip in that plane.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector3};
 
 use super::super::geometry::{Chain, Swing, ToolPose};
@@ -414,20 +416,27 @@ impl MachineWords {
     pub(crate) fn rotated_for(&self, [from, to]: [&Vector3<f64>; 2], largest_rad: f64) -> u16 {
         let rotated = |start: [f64; MAX_AXES]| {
             let end = self.rotated_to(&start, to, 0.0)?;
-            let rotates = |index: &usize| (end[*index] - start[*index]).abs() > largest_rad;
+            // The way found may have whole revolutions too many.
+            let rotated = |index: usize| {
+                let way = end[index] - start[index];
+                (way - TAU * (way / TAU).round()).abs()
+            };
+            let rotates = |index: &usize| rotated(*index) > largest_rad;
             Some(self.rotary().filter(rotates).fold(0, |bits, index| bits | 1 << index))
         };
         self.positions(from).filter_map(rotated).reduce(|all, bits| all & bits).unwrap_or(0)
     }
 
-    /// Words whose rotary axes give the tool this axis, found from one angle of each sense of the two.
+    /// Words whose rotary axes give the tool this axis, found from an angle in each quadrant of the two: each position is found from one of
+    /// them, some more than once.
     fn positions(&self, axis: &Vector3<f64>) -> impl Iterator<Item = [f64; MAX_AXES]> {
         let found = |seed: [f64; 2]| {
             let mut words = [0.0; MAX_AXES];
             self.rotary().zip(seed).for_each(|(index, value)| words[index] = value);
             self.rotated_to(&words, axis, 0.0)
         };
-        [[0.6, 0.6], [0.6, -0.6], [-2.5, 0.6], [-2.5, -0.6]].into_iter().filter_map(found)
+        let seeds = [0.6, -0.9, 2.2, -2.5].into_iter().flat_map(|one| [0.6, -0.6, 2.2, -2.2].map(|other| [one, other]));
+        seeds.filter_map(found)
     }
 
     fn linear_three(&self) -> Option<[usize; 3]> {

@@ -51,6 +51,19 @@ fn side_unstated() -> ClFault {
     )
 }
 
+/// Records whose events wait for the next one.
+#[derive(Debug, Default)]
+struct Waiting {
+    /// OPSKIP/ON: with OPSKIP/OFF directly after it, it has no effect.
+    skip: Option<Location>,
+    /// STOP, which a change of set-up may follow: both are one stop.
+    stop: Option<Location>,
+    /// Name of an operation, which comes after a change of set-up.
+    name: Option<Location>,
+    /// The last name that has waited.
+    last_name: Vec<u8>,
+}
+
 /// All modal state of the CL data, each part with its owner.
 #[derive(Debug, Default)]
 pub(crate) struct RecordInterpreter {
@@ -74,12 +87,9 @@ pub(crate) struct RecordInterpreter {
     spindle_on_after: Option<u64>,
     /// Place of the record that has left the spindle empty.
     unloaded: Option<Location>,
-    /// STOP, which waits for a change of set-up: both are one stop.
-    waiting_stop: Option<Location>,
-    /// Name of an operation, which comes after a change of set-up.
-    waiting_name: Option<Location>,
-    /// The last name that has waited.
-    name: Vec<u8>,
+    waiting: Waiting,
+    /// OPSKIP is on.
+    skips_blocks: bool,
     /// The next GOTO is a straight motion only: see [`update_plain_goto`](Self::update_plain_goto).
     plain_goto: bool,
     events: EventQueue,
@@ -132,7 +142,7 @@ impl RecordInterpreter {
 
     /// What belongs to the event that was returned last.
     pub(crate) fn kept_for_events(&self) -> KeptForEvents<'_> {
-        KeptForEvents { curve: self.curve.completed(), name: &self.name }
+        KeptForEvents { curve: self.curve.completed(), name: &self.waiting.last_name }
     }
 
     /// CAM system, as given in the options, else as identified in the file.
@@ -336,32 +346,51 @@ impl RecordInterpreter {
         }
     }
 
-    /// Whether a stop, a name or a tool call waits for the records after it.
+    /// Whether OPSKIP/ON, a stop, a name or a tool call waits for the records after it.
     #[inline]
     fn is_any_waiting(&self) -> bool {
-        self.tool.is_held() || self.waiting_stop.is_some() || self.waiting_name.is_some()
+        let Waiting { skip, stop, name, .. } = &self.waiting;
+        self.tool.is_held() || skip.is_some() || stop.is_some() || name.is_some()
+    }
+
+    /// OPSKIP: a mark of what holds already has no effect, and neither have two with nothing between them.
+    fn skip_blocks(&mut self, on: bool, here: Location) {
+        if !on && self.waiting.skip.take().is_some() || on == (self.skips_blocks || self.waiting.skip.is_some()) {
+            return;
+        }
+        if on {
+            self.emit_waiting();
+            self.waiting.skip = Some(here);
+        } else {
+            self.skips_blocks = false;
+            self.emit(here, Event::Interruption(Interruption::BlockSkip { on }));
+        }
     }
 
     /// Takes the name of an operation, which waits for the next event.
     fn take_operation_name(&mut self, here: Location, name: &Text<'_>) {
-        if self.tool.is_held() || self.waiting_name.is_some() {
+        if self.tool.is_held() || self.waiting.name.is_some() {
             self.emit_waiting();
         }
         if self.has_events() {
             // The name before, or blocks of another set-up.
             return self.emit_text(here, TextUse::Operation, name);
         }
-        self.waiting_name = Some(here);
-        self.name = decoded(name.bytes).as_bytes().to_vec();
+        self.waiting.name = Some(here);
+        self.waiting.last_name = decoded(name.bytes).as_bytes().to_vec();
     }
 
     /// Queues what waits.
     #[inline]
     fn emit_waiting(&mut self) {
-        if let Some(at) = self.waiting_stop.take() {
+        if let Some(at) = self.waiting.skip.take() {
+            self.skips_blocks = true;
+            self.events.push(at, QueuedEvent::Plain(Event::Interruption(Interruption::BlockSkip { on: true })));
+        }
+        if let Some(at) = self.waiting.stop.take() {
             self.events.push(at, QueuedEvent::Plain(Event::Interruption(Interruption::Stop)));
         }
-        if let Some(at) = self.waiting_name.take() {
+        if let Some(at) = self.waiting.name.take() {
             self.events.push(at, QueuedEvent::WaitingName);
         }
         if let Some(((here, tool), taken)) = self.tool.take_held(&self.options) {
@@ -444,11 +473,9 @@ impl RecordInterpreter {
             ProgramRecord::Stop => {
                 self.emit_waiting();
                 self.remark_on_spindle("STOP");
-                self.waiting_stop = Some(here);
+                self.waiting.stop = Some(here);
             }
-            ProgramRecord::BlockSkip { on } => {
-                self.emit(here, Event::Interruption(Interruption::BlockSkip { on: *on }))
-            }
+            ProgramRecord::BlockSkip { on } => self.skip_blocks(*on, here),
             ProgramRecord::EndOfPath | ProgramRecord::End | ProgramRecord::Fini | ProgramRecord::Rewind => {}
         }
         Ok(())

@@ -180,6 +180,7 @@ impl HoleWriter {
     fn before_cycle(&mut self, out: &mut ModalWriter<'_>) -> io::Result<()> {
         self.end_cycle(out)?;
         out.stop_smoothing()?;
+        out.blend()?;
         out.select_xy_plane()
     }
 

@@ -125,6 +125,8 @@ impl<'a> Encoder<'a> {
     /// # Errors
     /// Errors of the output.
     pub fn end(&mut self, remarks: &[String]) -> io::Result<()> {
+        // A code of the CL data may have come since it was on.
+        self.out.stop_smoothing()?;
         self.out.configured_blocks(&self.program.end)?;
         remarks.iter().try_for_each(|remark| self.comment(remark.as_bytes()))?;
         self.out.block(self.codes.end)?;
@@ -235,12 +237,7 @@ impl<'a> Encoder<'a> {
             Step::Coolant { kind } => self.spindle_coolant.coolant(kind, out),
             Step::CoolantOff => self.spindle_coolant.coolant_off(out),
             Step::Stop { optional } => self.stop(optional),
-            Step::BlockSkip { on } => {
-                out.smooth(false)?;
-                out.modal().forget(After::Anything);
-                out.writer_mut().set_skippable(on);
-                Ok(())
-            }
+            Step::BlockSkip { on } => out.skip_blocks(on),
             Step::Operation { name } => self.operation(name),
             Step::Message { text } => self.message(text),
             Step::WorkOffset { word } => {
@@ -276,6 +273,7 @@ impl<'a> Encoder<'a> {
         let called = self.tool_word(number);
         let next = next.filter(|_| self.preselect).map(|next| self.tool_word(next));
         let delta = radius_delta.map(|mm| Decimal::fixed(mm / unit_mm, self.linear).unwrap_or_default());
+        self.out.modal().call_tool();
         let values = self.out.values();
         values.radius_delta = delta;
         values.tool = Some(called);

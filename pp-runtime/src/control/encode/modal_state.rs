@@ -70,6 +70,9 @@ pub(crate) struct ModalState {
     /// Cycle that a position calls, where its definition survives other motions.
     cycle: Option<CannedCycle>,
     smoothing: SmoothingState,
+    /// A tool has been called, whether blocks before were skipped or not; and so before the blocks that may be skipped.
+    tool_called: bool,
+    tool_called_before_skip: bool,
 }
 
 /// Smoothing of the path by the control.
@@ -104,7 +107,8 @@ impl ModalState {
         match after {
             After::Anything => {
                 let smoothing = self.smoothing.forgotten();
-                *self = Self { coolant: self.coolant, smoothing, ..Self::default() };
+                let Self { coolant, tool_called, tool_called_before_skip, .. } = *self;
+                *self = Self { coolant, smoothing, tool_called, tool_called_before_skip, ..Self::default() };
             }
             After::ToolChange => {
                 self.forget(After::FrameChange);
@@ -286,6 +290,23 @@ impl ModalState {
     #[inline]
     pub(crate) fn smoothing(&self) -> SmoothingState {
         self.smoothing
+    }
+
+    pub(crate) fn is_tool_called(&self) -> bool {
+        self.tool_called
+    }
+
+    pub(crate) fn call_tool(&mut self) {
+        self.tool_called = true;
+    }
+
+    /// Blocks that may be skipped begin, or end.
+    pub(crate) fn skip(&mut self, on: bool) {
+        if on {
+            self.tool_called_before_skip = self.tool_called;
+        } else {
+            self.tool_called = self.tool_called_before_skip;
+        }
     }
 
     pub(crate) fn set_smoothing(&mut self, smoothing: SmoothingState) {

@@ -118,10 +118,14 @@ impl WordFrame {
             ProgramZero::Part => Vector3::zeros(),
             ProgramZero::Table => policy.set_up.part_origin.into(),
         };
+        // Where no table rotates the frames are one.
+        let table_rotates =
+            machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && axis.side == Side::Workpiece);
+        let tcp_frame = policy.options.tip.tcp_frame.filter(|_| table_rotates);
         Self {
             meaning: LinearWords::Axes,
             mode: StretchMode::Axes,
-            tcp_frame: policy.options.tip.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
+            tcp_frame: tcp_frame.unwrap_or(TcpFrame::TableAtZero),
             posture: policy.options.tip.tool_posture,
             signs: Matrix3::from_diagonal(&Vector3::from(sign)),
             from_table: policy.set_up.program_zero == ProgramZero::Table,

@@ -26,6 +26,8 @@ pub(crate) struct Position {
     stopped: bool,
     /// The same before the blocks that may be skipped.
     worked_before_skip: bool,
+    /// Blocks before may have been skipped, and no complete state has come since.
+    after_skip: bool,
     /// The retract axis is at its retract position.
     retracted: bool,
     /// It is there with the complete state and the tool of the operation that comes.
@@ -52,6 +54,7 @@ impl Position {
             worked: false,
             stopped: false,
             worked_before_skip: false,
+            after_skip: false,
             retracted: false,
             prepared: false,
             parked: false,
@@ -97,7 +100,12 @@ impl Position {
     /// They are in force, at the machine retract.
     pub(crate) fn prepare(&mut self) {
         self.prepared = true;
-        self.stopped = false;
+        (self.stopped, self.after_skip) = (false, false);
+    }
+
+    /// Whether blocks before may have been skipped, and no complete state has come since.
+    pub(crate) fn is_after_skip(&self) -> bool {
+        self.after_skip
     }
 
     /// Whether the rotary axes are at the angles of the place.
@@ -198,7 +206,7 @@ impl Position {
 
     /// Blocks that may be skipped begin or end here; skipped, a stop among them has not been.
     pub(crate) fn skip(&mut self, begins: bool) {
-        self.parked = false;
+        (self.parked, self.after_skip) = (false, !begins);
         if begins {
             self.worked_before_skip = self.worked;
         } else {

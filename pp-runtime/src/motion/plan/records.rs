@@ -36,6 +36,8 @@ pub(crate) fn delay<S: Sink>(planner: &mut Planner<'_, S>, dwell: Dwell) -> Plan
         let fault = Fault::new(format_args!("a dwell of {seconds} s cannot be written"));
         return Err(fault.help(format_args!("give a dwell of {low} to {high} s")).into());
     }
+    // The tool waits with the spindle off where SPINDL/OFF comes before.
+    planner.stop_spindle()?;
     let output = planner.mover.output_mut();
     output.cancel_inverse_time()?;
     output.times_mut().wait(seconds / 60.0);

@@ -128,6 +128,7 @@ impl<S: Sink> Planner<'_, S> {
             None => self.start_operation()?,
         }
         self.apply_spindle(!prepared)?;
+        self.stop_spindle()?;
         self.spindle.note_thread(false);
         self.check_state(ahead.motion)?;
         self.tooling.note_cut();
@@ -501,6 +502,12 @@ impl<S: Sink> Planner<'_, S> {
         self.cutter.check_end()?;
         self.mover.output_mut().serve(at, BlockReason::LeadOut);
         self.come_to(SequencePlace::End)?;
+        let (set_up, parks) = (&self.policy.set_up, !self.policy.options.park.is_empty());
+        if parks && set_up.clampings().count() > 1 && self.mover.position().is_after_skip() {
+            // The work offset in force depends on whether blocks before were skipped.
+            self.restate_modes()?;
+            self.mover.machine_retract()?;
+        }
         if self.tooling.changes() && self.selection.next_is_written() {
             // The shop ends with another tool in the spindle.
             self.restart(false)?;

@@ -138,13 +138,14 @@ impl PlannedSpindle {
             self.stop_pending |= self.running.is_some();
             return Ok(());
         };
-        (self.stop_pending, self.is_off) = (false, false);
+        let was_off = std::mem::take(&mut self.is_off);
+        self.stop_pending = false;
         self.exact_rev_per_min = exact_rev_per_min;
         let wanted = Some((speed.value(), rotation));
         if policy.options.lift_mm.is_some() {
-            // In a dry run the spindle is on only for the planner; a restart writes that it is off.
-            self.running = wanted;
-            return if again { Ok(output.step(&Step::SpindleOff)?) } else { Ok(()) };
+            // In a dry run the spindle is on only for the planner; the program writes once that it is off.
+            (self.running, self.is_off) = (wanted, true);
+            return if again || !was_off { Ok(output.step(&Step::SpindleOff)?) } else { Ok(()) };
         }
         if again || self.running != wanted {
             let stopped = std::mem::take(&mut self.stopped_by_cycle);
@@ -168,12 +169,10 @@ impl PlannedSpindle {
 
     /// Stops the spindle, unless the program has just done so.
     pub(crate) fn stop<S: Sink>(&mut self, output: &mut Output<S>) -> io::Result<()> {
-        if self.is_off {
-            return Ok(());
-        }
+        let is_written = self.is_off;
         self.reset();
         (self.uncertain, self.is_off) = (false, true);
-        output.step(&Step::SpindleOff)
+        if is_written { Ok(()) } else { output.step(&Step::SpindleOff) }
     }
 
     /// Duration of a dwell, s.

@@ -27,6 +27,8 @@ pub(in super::super) enum DutyEvent {
     RotaryWords,
     /// A complete state where a stop of the CL data should have come before it.
     StopPassed,
+    /// Blocks have measured the tool, or checked it for breakage.
+    Measured,
     /// A motion of the CL data, as a rapid or not.
     Motion,
     BlockSkip,
@@ -69,6 +71,8 @@ pub(in crate::check) enum Duty {
     CycleAtLevel,
     RotationAfterHome,
     StopInTime,
+    /// The modes are stated again, which is no restart point.
+    ModesAgain,
     MotionInFrame,
     // What follows is not owed after an event, but seen where it is needed.
     /// The tool is away from the part.
@@ -188,7 +192,7 @@ fn has_own_tip_control(policy: &CheckPolicy) -> bool {
 
 /// What is owed, after what, and until what.
 #[rustfmt::skip]
-pub(super) const OWED: [Owed; 14] = [
+pub(super) const OWED: [Owed; 15] = [
     owed(Duty::CompleteState, &[DutyEvent::Begin, DutyEvent::Motion, DutyEvent::Cycle, DutyEvent::BlockSkip], &[DutyEvent::CompleteState], |_| true),
     owed(Duty::Retract, &[DutyEvent::Begin, DutyEvent::CompleteState, DutyEvent::PositionLost, DutyEvent::ShopLine, DutyEvent::BlockSkip], &[DutyEvent::Retract], |_| true),
     owed(Duty::RetractAfterShopLine, &[DutyEvent::ShopLine], &[DutyEvent::Retract], |_| true),
@@ -202,12 +206,13 @@ pub(super) const OWED: [Owed; 14] = [
     owed(Duty::CycleAtLevel, &[DutyEvent::LevelOfCycle], &[DutyEvent::Cycle, DutyEvent::Motion], |_| true),
     owed(Duty::RotationAfterHome, &[DutyEvent::LinearHome], &[DutyEvent::RotaryWords, DutyEvent::PlaneCall], |_| true),
     owed(Duty::MotionInFrame, &[DutyEvent::FrameBegins], &[DutyEvent::LinearStep, DutyEvent::Motion], |_| true),
+    owed(Duty::ModesAgain, &[DutyEvent::Measured], &[DutyEvent::CompleteState, DutyEvent::Motion], |_| true),
     owed(Duty::StopInTime, &[DutyEvent::StopPassed], &[DutyEvent::Motion], |_| true),
 ];
 
 /// What must be so at each place.
 #[rustfmt::skip]
-pub(in crate::check) const NEEDED: [Needed; 73] = [
+pub(in crate::check) const NEEDED: [Needed; 74] = [
     needed(DutyPlace::ToolChange, Duty::Parking, always, ""),
     needed(DutyPlace::ToolChange, Duty::OperationEnded, always, ""),
     needed(DutyPlace::ToolChange, Duty::CompleteState, always, "tool change before the complete state of its operation: where the program is entered there, the tool is missing"),
@@ -270,6 +275,7 @@ pub(in crate::check) const NEEDED: [Needed; 73] = [
     needed(DutyPlace::Operation, Duty::SpindleStated, always, "operation starts without its spindle, which must be programmed after its restart point"),
     needed(DutyPlace::Operation, Duty::CompleteState, has_safety_line, "operation starts without a restart point, the block that sets all modal codes"),
     needed(DutyPlace::Operation, Duty::Retract, always, "operation starts without the machine retract after its restart point"),
+    needed(DutyPlace::Operation, Duty::ModesAgain, has_safety_line, "the modes are not stated again after the blocks that measure the tool"),
     needed(DutyPlace::Operation, Duty::LengthGuard, always, ""),
     needed(DutyPlace::Operation, Duty::ClampsStated, always, ""),
     needed(DutyPlace::Operation, Duty::AxesStated, has_safety_line, ""),

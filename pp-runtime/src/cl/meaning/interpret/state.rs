@@ -139,8 +139,8 @@ impl RecordInterpreter {
     /// Another set-up begins: the axes are parked, and the operator clamps the part. A STOP before it is the one in which he does; the
     /// name of an operation before it is that of the first one after it.
     pub(crate) fn change_set_up(&mut self, number: u32, here: Location) {
-        self.waiting_stop = None;
-        let name = self.waiting_name.take();
+        self.waiting.stop = None;
+        let name = self.waiting.name.take();
         self.begin_operation();
         self.coordinates.map_frame();
         self.path.change_frame();
@@ -148,7 +148,7 @@ impl RecordInterpreter {
         self.emit(here, Event::Text(TextKind::Message, b"NEXT SET-UP: CLAMP THE PART AGAIN, THEN START"));
         self.emit(here, Event::Interruption(Interruption::Stop));
         self.emit(here, Event::NewStart(NewStart::SetUp(number)));
-        self.waiting_name = name;
+        self.waiting.name = name;
         self.emit_waiting();
     }
 

@@ -421,6 +421,15 @@ impl<'a> ModalWriter<'a> {
         Ok(())
     }
 
+    /// Blocks that may be skipped begin, or end: what they leave in force is unknown.
+    pub(crate) fn skip_blocks(&mut self, on: bool) -> io::Result<()> {
+        self.smooth(false)?;
+        self.modal.forget(After::Anything);
+        self.modal.skip(on);
+        self.writer.set_skippable(on);
+        Ok(())
+    }
+
     /// Sets the smoothing of the cuts that come, and its tolerance, mm; `None`: that of the configuration.
     pub(crate) fn set_smoothing(&mut self, level: Option<Smoothing>, tolerance_mm: Option<f64>) {
         let (usual_level, usual) = self.usual_smoothing;
@@ -448,10 +457,10 @@ impl<'a> ModalWriter<'a> {
         if before != wanted && !waits {
             self.switch_smoothing(before, wanted)?;
         }
-        if cuts && self.blending != tolerance { self.blend() } else { Ok(()) }
+        if cuts { self.blend() } else { Ok(()) }
     }
 
-    /// Switches smoothing off for a cycle of the control, unless it is known to be off.
+    /// Switches smoothing off for a cycle of the control or the end of the program, unless it is known to be off.
     pub(crate) fn stop_smoothing(&mut self) -> io::Result<()> {
         match self.modal.smoothing() {
             SmoothingState::Off => Ok(()),
@@ -459,9 +468,14 @@ impl<'a> ModalWriter<'a> {
         }
     }
 
-    /// Writes the tolerance of the blending, which no safety block has stated.
+    /// Writes the tolerance of the blending of the cuts that come, if no safety block has stated it.
+    #[inline]
+    pub(crate) fn blend(&mut self) -> io::Result<()> {
+        if self.blending == self.smoothing.1 { Ok(()) } else { self.write_blending() }
+    }
+
     #[cold]
-    fn blend(&mut self) -> io::Result<()> {
+    fn write_blending(&mut self) -> io::Result<()> {
         self.note_blending();
         self.fill_all(self.codes.blending)
     }

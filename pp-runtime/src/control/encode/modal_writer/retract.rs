@@ -16,7 +16,7 @@ impl ModalWriter<'_> {
         match self.retract {
             _ if self.ends_tip_control => self.machine_rapid(words),
             None => self.own_retract(),
-            Some(RetractForm::AlongTool { block }) if self.values.tool.is_some() => {
+            Some(RetractForm::AlongTool { block }) if self.modal.is_tool_called() => {
                 self.retract_along_tool(block, words)
             }
             Some(RetractForm::MachineCoordinate | RetractForm::AlongTool { .. }) => self.machine_rapid(words),
