@@ -7,7 +7,7 @@ use crate::motion::{
     self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PlaneAbility, Registers, StretchMode, ThreadFeed,
     TipAbility, TipStart, Transition, UnusedCycles, UsableModes, Wrap, rotaries_of,
 };
-use crate::program::{Coolant, Shown, Units};
+use crate::program::{Coolant, Units};
 use crate::set_up::LengthMode;
 
 use super::dialects::{
@@ -16,9 +16,10 @@ use super::dialects::{
 };
 use super::foreign::of_another_control;
 use super::mill_turn::ToolSpindle;
-use super::options::{ControlFunction, Demands, PlaneBy, RetractMethod};
-use super::states::ControlState;
+use super::options::{Demands, PlaneBy, RetractMethod};
+use super::state_values::ControlState;
 use super::template::{self, OF_TOOL};
+use crate::control::ControlFunction;
 use crate::motion::tolerances::INDEX_STEP_NOISE;
 
 /// Largest number of characters of a tool name.
@@ -300,7 +301,7 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
     own.or_else(|| configured.then_some(plain))
 }
 
-/// Work offsets, axis names and offsets of rotary words that the control cannot have.
+/// Work offsets and axis names that the control cannot have.
 fn unknown_words(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let (title, options) = (control.spellings().title, &demands.options);
     let mut faults = Vec::new();
@@ -317,17 +318,6 @@ fn unknown_words(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
                 .push(format!("{title} permits no axis name `{name}`: correct the name of {letter} in `control.axes`"));
         }
     }
-    let decimals = demands.formats.rotary;
-    let units = |offset_rad: f64| offset_rad.to_degrees() * 10_f64.powi(decimals as i32);
-    let is_finer = |offset_rad: f64| (units(offset_rad) - units(offset_rad).round()).abs() > 1e-3;
-    let finer = demands.set_up.rotary_offset.iter().filter(|(_, offset_rad)| is_finer(**offset_rad));
-    faults.extend(finer.map(|(letter, offset_rad)| {
-        format!(
-            "`rotary_offset.{letter}` is {} degrees, and rotary words have {decimals} decimals: give it as the control shows it, or set \
-             `formats.rotary`",
-            Shown(offset_rad.to_degrees())
-        )
-    }));
     faults
 }
 

@@ -8,8 +8,9 @@
 use crate::motion::{OperationTable, PathNorm, Smoothing};
 
 use super::dialects::{Control, Spellings};
-use super::options::{BlockNumbers, ControlFunction, ControlOptions, Messages};
-use super::states::ControlState;
+use super::options::{BlockNumbers, ControlOptions, Messages};
+use super::state_values::ControlState;
+use crate::control::ControlFunction;
 
 /// Takes the settings that the control lacks out of the options. Returns one sentence each: the setting, and what the program
 /// has instead.

@@ -33,6 +33,7 @@ mod lacking;
 mod layout;
 mod mill_turn;
 mod options;
+mod state_values;
 mod states;
 pub mod template;
 #[cfg(test)]
@@ -48,7 +49,8 @@ pub use lacking::take_out_lacking;
 pub use layout::{FramesUsed, Layout};
 pub use mill_turn::{MillTurn, ToolSpindle};
 pub use options::{
-    BlockNumbers, ControlFunction, ControlOptions, Demands, LineEffect, Messages, PlaneBy, ProgramBlocks,
-    ProgramHeader, RetractMethod, TipControlSwitch,
+    BlockNumbers, ControlOptions, Demands, Messages, PlaneBy, ProgramBlocks, ProgramHeader, RetractMethod,
+    TipControlSwitch,
 };
-pub(crate) use states::{ControlState, ProgramUses, StepCycles, conditions, write_table};
+pub(crate) use state_values::{ControlState, StepCycles};
+pub(crate) use states::{ProgramUses, conditions, write_table};

@@ -23,7 +23,7 @@
 //! ```
 //!
 //! `removal` has the stock and the moving tools, `bodies` triangles, `design` the comparison of the machined stock with what
-//! was wanted. `simulate IN.cls` executes a written program: `program` turns its motions into pieces and contacts into findings.
+//! was wanted, `tools` the tools of a program as bodies. `simulate IN.cls` executes a written program: `program` turns its motions into pieces and contacts into findings.
 
 mod bodies;
 mod design;
@@ -33,15 +33,17 @@ mod program;
 mod removal;
 #[cfg(test)]
 mod testing;
+mod tools;
 
 pub(crate) use bodies::{SolidBody, SolidFault};
 pub(crate) use design::{Design, DesignComparison, Deviations, Origin, Region, TriangleSurface, limits_of};
 pub(crate) use machine::{MachineLinks, MachineSolid, clearances, without_solids};
 pub(crate) use program::{
     ClampedStage, EPS_MM, LineRecords, MachineToolTable, Machined, Machining, PartPlaces, Recording, RemovedPart,
-    Simulation, SimulationOutcome, Size, ToolBodies, What,
+    Simulation, SimulationOutcome, Size, What,
 };
 pub(crate) use removal::{EndValues, MarkedSurface};
+pub(crate) use tools::ToolBodies;
 
 pub use bodies::{Mesh, MeshFault};
 pub use removal::{

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::foreign::state::{FeedMode, MotionMode, State, TipControl};
 use crate::foreign::{Control, Effect, Options, Refused, Trace, run};
 
-use super::verdict::Allowed;
+use super::verdict::{Allowed, name_of};
 
 /// A program with its trace.
 #[derive(Debug, Clone)]
@@ -108,34 +108,6 @@ fn mode(state: &State) -> String {
         mode += "+compensation";
     }
     mode
-}
-
-/// Name of what a block does.
-#[must_use]
-pub fn name_of(effect: &Effect) -> &'static str {
-    match effect {
-        Effect::Modal => "modal",
-        Effect::Safety => "safety",
-        Effect::Length(_) => "length",
-        Effect::Spindle(_) => "spindle",
-        Effect::Coolant { .. } => "coolant",
-        Effect::ToolChange(_) => "tool",
-        Effect::Guard { .. } => "guard",
-        Effect::PlaneGuard { .. } => "plane guard",
-        Effect::OffsetGuard => "offset guard",
-        Effect::Dwell(_) => "dwell",
-        Effect::Stop => "stop",
-        Effect::OptionalStop => "optional stop",
-        Effect::End => "end",
-        Effect::Rapid => "rapid",
-        Effect::Feed => "feed",
-        Effect::Arc(_) => "arc",
-        Effect::Hole(_) => "hole",
-        Effect::Machine => "machine",
-        Effect::Orient => "orient",
-        Effect::Home(_) => "home",
-        Effect::Shop(_) => "shop",
-    }
 }
 
 /// A line without the number that every line of a Heidenhain program has.

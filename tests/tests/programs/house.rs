@@ -73,17 +73,12 @@ const LONG_FUNCTIONS: &[(&str, usize)] = &[
 
 /// Modules of one folder that use each other in a circle.
 const CIRCLES: &[&[&str]] = &[
-    &["check::read::flow::expression", "check::read::flow::variables"],
-    &["check::read::language", "check::read::orders"],
     &["cl::events", "cl::reader"],
     // The table of words names the functions that read them, and two of these ask it for words.
     &["cl::record::comment", "cl::record::vocabulary", "cl::record::words"],
     &["cli::posting", "cli::simulate", "cli::view"],
-    &["control::dialects", "control::layout", "control::options", "control::states"],
-    &["edits::places", "edits::verdict"],
-    &["emit::c::edge", "emit::c::inverse"],
+    // Methods that a machine has by default are functions over its trait.
     &["kinematics::any", "kinematics::machine", "kinematics::machines", "kinematics::motion", "kinematics::words"],
-    &["simulate::machine", "simulate::program"],
     &["syntax::chain", "syntax::parse"],
 ];
 

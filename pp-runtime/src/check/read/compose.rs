@@ -20,13 +20,14 @@
 use super::block::{OwnPlace, PathMode, PathSmoothing, WorkOffset, coolant, settled};
 use super::facts::LineForm;
 use super::frames;
-use super::language::{Address, CodeRow, Letters, Means, PathCode, Plane, Smoother, group, has_letter};
+use super::language::{Address, CodeRow, Means, PathCode, Plane, Smoother, group, has_letter};
 use super::line::Line;
 use super::orders::{Act, ArcWords, CannedWords, Code, LengthCode, ModeOrder, MotionOrder, TiltCode, WrittenAxisWords};
 use super::own::OwnText;
 use super::text::{Number, shown, whole};
 use super::words::{Coded, Counts, Word};
 use crate::check::read::RolloverRule;
+use crate::check::read::orders::Letters;
 use crate::check::read::orders::Pattern;
 use crate::program::{Rotation, Units};
 

@@ -9,7 +9,7 @@ use super::block::{
     BlankPart, BlockFault, CycleKind, FeedMode, FineBore, Guard, PathMode, PathSmoothing, RotaryGuard, SideOfPath,
     WorkOffset, WorkPlane, settled,
 };
-use super::language::Letters;
+
 use crate::check::read::MAX_AXES;
 use crate::program::{Rotation, Units};
 
@@ -483,3 +483,6 @@ pub(in super::super) enum Pattern {
     /// The spindle stops at an angle, and the tool leaves the wall.
     FineBore,
 }
+
+/// Letters A to Z as bits.
+pub(super) type Letters = u32;

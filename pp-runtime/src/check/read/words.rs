@@ -1,7 +1,8 @@
 //! Words and codes of one line, each of which is taken once.
 
-use super::language::{Address, CodeRow, Letters, has_letter};
+use super::language::{Address, CodeRow, has_letter};
 use super::text::Number;
+use crate::check::read::orders::Letters;
 
 /// How the value of a word counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 use crate::program::Units;
 
-use super::super::options::LineEffect;
+use super::functions::LineEffect;
 use super::spellings::Spellings;
 
 /// A CNC control: its table of codes, and methods for what no table can hold.

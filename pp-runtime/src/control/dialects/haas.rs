@@ -36,8 +36,8 @@
 use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};
 
-use super::super::options::ControlFunction;
 use super::control::{Control, LengthGuard, numbered};
+use super::functions::ControlFunction;
 use super::spellings::{
     ArcCodes, Cancel, CommentStyle, CycleCodes, CycleForm, FoundAt, HoleCycles, MachineRetract, Spellings,
     TiltedPlaneCodes, TipControlCodes, ascii_in_brackets,

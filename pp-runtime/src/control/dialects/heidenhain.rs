@@ -58,8 +58,8 @@
 use crate::motion::{CycleAbilities, FineBoreAbility, PathNorm, PlaneAngles, PoseRule, Registers};
 use crate::nc::{Formats, Numerals};
 
-use super::super::options::ControlFunction;
 use super::control::{BlankWords, Control, LengthGuard, PlaneGuard, numbered};
+use super::functions::ControlFunction;
 use super::spellings::{
     ArcCentre, ArcCodes, Cancel, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall,
     LengthCodes, LinearRapids, MachineRetract, RetractForm, Spellings, TiltedPlaneCodes, TipControlCodes,

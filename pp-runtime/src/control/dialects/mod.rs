@@ -6,6 +6,7 @@
 
 mod control;
 mod fanuc;
+mod functions;
 mod haas;
 mod heidenhain;
 mod iso;
@@ -14,6 +15,7 @@ mod siemens;
 mod spellings;
 
 pub use control::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard};
+pub use functions::{ControlFunction, LineEffect};
 pub(crate) use spellings::STANDARD_M;
 pub use spellings::{
     ArcCentre, ArcCodes, Cancel, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, FoundAt, HoleCycles,

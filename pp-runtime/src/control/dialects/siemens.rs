@@ -58,8 +58,8 @@ use crate::motion::tolerances::GUARDED_SINES;
 use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
 
-use super::super::options::ControlFunction;
 use super::control::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard, numbered};
+use super::functions::ControlFunction;
 use super::spellings::{
     ArcCodes, Cancel, CommentStyle, CycleDefinitions, CycleForm, FoundAt, HoleCycles, LengthCall, LengthCodes,
     LinearRapids, MachineRetract, MessageStyle, Spellings, TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,

@@ -8,7 +8,7 @@ use crate::nc::Formats;
 use crate::nc::Numerals;
 use crate::program::Rotation;
 
-use super::super::options::ControlFunction;
+use super::functions::ControlFunction;
 
 /// M functions that every control has, and what they do.
 pub(crate) const STANDARD_M: [(u16, &str); 7] = [

@@ -3,9 +3,10 @@
 
 use std::io;
 
+use crate::control::ControlFunction;
 use crate::control::dialects::Cancel;
 use crate::control::layout::Layout;
-use crate::control::options::{BlockNumbers, ControlFunction};
+use crate::control::options::BlockNumbers;
 use crate::motion::PoseRule;
 use crate::nc::Decimal;
 

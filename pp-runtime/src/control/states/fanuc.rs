@@ -4,7 +4,7 @@ use super::Settled;
 use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated, StatedUnless};
 use super::StateUse::{Compensation, Cycles, Every, Planes, Rotary, TipControl};
 use super::{LENGTH, StateRow, state};
-use crate::control::options::ControlFunction;
+use crate::control::ControlFunction;
 
 const CODES: &str = "B-63944EN/02 (2004), list of G codes";
 const OPTION: &str = "without the option its code raises an alarm";

@@ -4,7 +4,7 @@ use super::Settled;
 use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated, StatedUnless};
 use super::StateUse::{Compensation, Cycles, Every, Kinematics, Planes, Rotary, TipControl};
 use super::{LENGTH, StateRow, state};
-use crate::control::options::ControlFunction;
+use crate::control::ControlFunction;
 
 const CODES: &str = "mill manual 96-8000, G codes";
 const SETTINGS: &str = "mill operator's manual (NGC, 2017), p. 375 to 400, settings";

@@ -13,15 +13,14 @@ mod linuxcnc;
 mod siemens;
 #[cfg(test)]
 mod tests;
-mod values;
 
 use std::io::{self, Write};
 
 use super::dialects::{Control, Spellings};
 use super::layout::FramesUsed;
-use super::options::{ControlFunction, ControlOptions};
-pub(super) use values::States;
-pub(crate) use values::{ControlState, StepCycles};
+use super::options::ControlOptions;
+use super::state_values::ControlState;
+use crate::control::ControlFunction;
 
 /// A state.
 #[derive(Debug, Clone, Copy)]

@@ -1,8 +1,9 @@
 //! Rows of the table, their reasons, and what the check asks for beside them.
 
 use super::{ProgramUses, StateHandling, conditions, from_memory, of};
+use crate::control::ControlFunction;
 use crate::control::layout::FramesUsed;
-use crate::control::options::{ControlFunction, ControlOptions};
+use crate::control::options::ControlOptions;
 use crate::control::{CONTROLS, MillTurn, ToolSpindle};
 
 /// Most rows of a control that are from memory.

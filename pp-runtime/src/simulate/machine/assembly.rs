@@ -8,8 +8,8 @@ use super::links::MachineLinks;
 use crate::kinematics::AnyMachine;
 use crate::set_up::{SetUp, SolidLink};
 use crate::simulate::bodies::{CHORD_MM, CentreLine, Mesh, OpenFile, SolidBody, SolidFault, chord_of, turned};
-use crate::simulate::program::{ToolBodies, ToolBody};
 use crate::simulate::removal::{Profile, TriDexel};
+use crate::simulate::tools::{ToolBodies, ToolBody};
 
 /// A solid of the machine, or a fixture.
 pub(crate) struct MachineSolid {

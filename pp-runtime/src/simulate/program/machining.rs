@@ -10,11 +10,11 @@ use super::outcome::TOUCH_MM;
 use super::outcome::{Contacting, FoundContact, SimulationOutcome, Size, What};
 use super::recording::Recording;
 use super::set_ups::{PartPlaces, moved};
-use super::tools::{ToolBodies, ToolBody};
 use crate::check::read::SideOfPath;
 use crate::check::{CheckPolicy, ExecutedBlock, angle_between};
 use crate::kinematics::{AxisKind, Pose, StepBound};
 use crate::simulate::removal::{LARGEST_TURN, SweptPiece, TriDexel};
+use crate::simulate::tools::{ToolBodies, ToolBody};
 use crate::view::{ExecutedMotion, ExecutedPlace};
 
 /// Largest deviation of a piece from the executed path, mm.

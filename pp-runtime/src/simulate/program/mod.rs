@@ -1,7 +1,7 @@
 //! A written program as it is executed on the stock.
 //!
 //! `simulation` receives its motions: they move the bodies of the machine, and `machining` turns them into pieces that cut the
-//! stock and contacts into findings. `tools` has the tools of the program as bodies, `engagement` has the removal over time,
+//! stock and contacts into findings. `engagement` has the removal over time,
 //! `outcome` states the findings, and what did not take part; `records` finds the CL records of lines that matter; `recording`
 //! keeps the removal for a page; `set_ups` has the place of the part in each set-up, `tool_table` the tools as the machine
 //! knows them.
@@ -16,14 +16,11 @@ mod simulation;
 #[cfg(test)]
 mod tests;
 mod tool_table;
-mod tools;
 
 pub(crate) use machining::{Machined, Machining};
-pub(crate) use outcome::EPS_MM;
-pub(crate) use outcome::{SimulationOutcome, Size, What};
+pub(crate) use outcome::{EPS_MM, SimulationOutcome, Size, What};
 pub(crate) use recording::{ClampedStage, Recording, RemovedPart};
 pub(crate) use records::LineRecords;
 pub(crate) use set_ups::PartPlaces;
 pub(crate) use simulation::Simulation;
 pub(crate) use tool_table::MachineToolTable;
-pub(crate) use tools::{ToolBodies, ToolBody};

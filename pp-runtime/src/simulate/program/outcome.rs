@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::engagement::Engagement;
-use super::tools::{ToolBodies, ToolBody};
 use crate::simulate::machine::SHOWN_MM;
+use crate::simulate::tools::{ToolBodies, ToolBody};
 
 /// Findings that are kept; all are counted.
 const MOST_FOUND: usize = 1000;

@@ -1,6 +1,6 @@
 //! Difference between two blocks.
 
-use super::super::places::name_of;
+use super::name_of;
 use super::{Allowed, Event};
 use crate::foreign::axes::{Axes, LETTERS, is_rotary};
 use crate::foreign::state::{Compensation, Cycle, CycleKind, Length, PathMode, Plane, SMOOTHING, State, TiltedPlane};

@@ -1,6 +1,6 @@
 //! The blocks of a trace that do something.
 
-use super::super::places::name_of;
+use super::name_of;
 use crate::foreign::axes::{Axes, is_rotary};
 use crate::foreign::state::{Length, State};
 use crate::foreign::{Effect, Executed, Trace};

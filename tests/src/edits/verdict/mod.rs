@@ -10,7 +10,7 @@ mod rearranged;
 
 use crate::foreign::axes::Axes;
 use crate::foreign::state::State;
-use crate::foreign::{Refused, Trace};
+use crate::foreign::{Effect, Refused, Trace};
 use difference::Difference::{Hard, Soft};
 use difference::difference;
 use events::{Event, events};
@@ -114,4 +114,32 @@ pub fn restarts_differ(
 
 fn at(event: &Event<'_>, why: &str) -> String {
     format!("line {}: {why}", event.block.line)
+}
+
+/// Name of what a block does.
+#[must_use]
+pub fn name_of(effect: &Effect) -> &'static str {
+    match effect {
+        Effect::Modal => "modal",
+        Effect::Safety => "safety",
+        Effect::Length(_) => "length",
+        Effect::Spindle(_) => "spindle",
+        Effect::Coolant { .. } => "coolant",
+        Effect::ToolChange(_) => "tool",
+        Effect::Guard { .. } => "guard",
+        Effect::PlaneGuard { .. } => "plane guard",
+        Effect::OffsetGuard => "offset guard",
+        Effect::Dwell(_) => "dwell",
+        Effect::Stop => "stop",
+        Effect::OptionalStop => "optional stop",
+        Effect::End => "end",
+        Effect::Rapid => "rapid",
+        Effect::Feed => "feed",
+        Effect::Arc(_) => "arc",
+        Effect::Hole(_) => "hole",
+        Effect::Machine => "machine",
+        Effect::Orient => "orient",
+        Effect::Home(_) => "home",
+        Effect::Shop(_) => "shop",
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::branch::{RotarySolution, branch};
 use super::code::{Code, grouped, named};
-use super::inverse::{REACH_TOLERANCE, SINGULAR_SINE, finite, parallel, variables};
+use super::shared::{REACH_TOLERANCE, SINGULAR_SINE, finite, parallel, variables};
 use crate::emit::body::Body;
 use crate::emit::inputs::inputs;
 use crate::model::Model;

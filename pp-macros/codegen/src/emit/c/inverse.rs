@@ -3,25 +3,17 @@
 use super::branch::{RotarySolution, branch};
 use super::code::{Code, named};
 use super::edge::edge;
+use super::shared::{REACH_TOLERANCE, SINGULAR_SINE, finite, parallel, variables};
 use super::structure::axes;
 use crate::emit::body::Body;
-use crate::emit::inputs::{InputVariables, inputs};
+use crate::emit::inputs::inputs;
 use crate::emit::inverse::{can_be_free, needs_pole_test};
 use crate::model::Model;
-use crate::solve::{AngleRelation, OneRotary, Orientation, PARALLEL_SINE_SQUARED, Solved, TwoRotaries};
+use crate::solve::{AngleRelation, OneRotary, Orientation, Solved, TwoRotaries};
 use crate::symbolic::Id;
 
-/// Largest angle outside the reachable set, rad: `pp_runtime::kinematics::REACH_TOLERANCE`.
-pub(super) const REACH_TOLERANCE: &str = "1e-6";
-/// Sine below which the first rotary axis is free: `pp_runtime::kinematics::SINGULAR_SINE`.
-pub(super) const SINGULAR_SINE: &str = "1e-15";
 /// Largest difference of the square of a unit vector from 1.
 const UNIT_SQUARED: &str = "1e-6";
-
-/// Variables of the inverse that hold its inputs.
-pub(super) fn variables() -> InputVariables<'static> {
-    InputVariables { tip: Some("tip"), axis: Some("axis"), words: Some("held"), turns: None }
-}
 
 /// `inverse`, and before it the function for poses at the edge of reach.
 pub(super) fn inverse(model: &Model, solved: &Solved, code: &mut Code) {
@@ -56,18 +48,6 @@ fn signature(name: &str) -> String {
         named(name),
         named("machine"),
     )
-}
-
-/// Test that pose and held values are finite.
-pub(super) fn finite(model: &Model) -> String {
-    let held = model.axes.iter().enumerate().filter(|(_, axis)| axis.held.is_some());
-    let held: String = held.map(|(place, _)| format!(" + held[{place}]")).collect();
-    format!("isfinite(tip[0] + tip[1] + tip[2] + axis[0] + axis[1] + axis[2]{held})")
-}
-
-/// The bound below which directions count as parallel.
-pub(super) fn parallel() -> String {
-    format!("{PARALLEL_SINE_SQUARED:?}")
 }
 
 fn fixed(model: &Model, solved: &Solved, deviation: Id, code: &mut Code) {

@@ -10,6 +10,7 @@ mod code;
 mod edge;
 mod functions;
 mod inverse;
+mod shared;
 mod structure;
 
 use crate::model::Model;

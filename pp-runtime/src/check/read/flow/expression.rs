@@ -4,10 +4,7 @@
 
 use super::super::facts::LineForm;
 use super::super::text::Cursor;
-use super::variables::Variables;
-
-/// A value of an expression; `None`: it depends on what the program does not state.
-pub(super) type Value = Option<f64>;
+use super::variables::{Value, Variable, Variables};
 
 /// What is understood of an expression: its value, or that it is none of the language.
 type Parsed = Option<Value>;
@@ -264,4 +261,64 @@ impl<'e, 'a> Expression<'e, 'a> {
             here && ends
         })
     }
+}
+
+impl Variables {
+    /// Takes a variable if one comes next.
+    pub(super) fn read(&self, at: &mut Cursor<'_>) -> Option<Variable> {
+        let start = *at;
+        let found = self.name(at);
+        if found.is_none() {
+            *at = start;
+        }
+        found
+    }
+
+    fn name(&self, at: &mut Cursor<'_>) -> Option<Variable> {
+        match self.form() {
+            LineForm::Letters => {
+                at.take(b'#').then_some(())?;
+                at.blanks();
+                if at.take(b'<') {
+                    let end = at.rest().iter().position(|byte| *byte == b'>')?;
+                    let name = &at.rest()[..end];
+                    at.skip(end + 1);
+                    let letters = name.iter().filter(|byte| !byte.is_ascii_whitespace());
+                    return Some(b"#<".iter().copied().chain(letters.map(u8::to_ascii_uppercase)).collect());
+                }
+                // A variable, or brackets, may give the number.
+                let number = match at.peek()? {
+                    b'0'..=b'9' => at.number()?.value,
+                    _ => Expression::new(at, self).signed()??,
+                };
+                numbered(b"#", number)
+            }
+            LineForm::Keywords => {
+                let name = at.name().to_ascii_uppercase();
+                match &name[..] {
+                    [b'R', digits @ ..] if !digits.is_empty() && digits.iter().all(u8::is_ascii_digit) => Some(name),
+                    [b'R'] if at.peek() == Some(b'[') => {
+                        at.skip(1);
+                        let number = Expression::new(at, self).condition()??;
+                        at.take(b']').then_some(())?;
+                        numbered(b"R", number)
+                    }
+                    _ => self.is_defined(&name).then_some(name),
+                }
+            }
+            LineForm::Statements => {
+                let letters = at.letters();
+                matches!(letters, b"Q" | b"QL" | b"QR").then_some(())?;
+                at.peek().filter(u8::is_ascii_digit)?;
+                numbered(letters, at.number()?.value)
+            }
+        }
+    }
+}
+
+/// A letter and a number.
+fn numbered(letters: &[u8], number: f64) -> Option<Variable> {
+    let whole = number.round();
+    ((number - whole).abs() < 1e-6 && (0.0..=99_999.0).contains(&whole))
+        .then(|| [letters, (whole as u32).to_string().as_bytes()].concat())
 }

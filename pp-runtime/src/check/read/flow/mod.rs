@@ -15,9 +15,8 @@ use std::io;
 use super::TextPieces;
 use super::facts::{Facts, LineForm};
 use super::lines::{LineKind, Lines};
-use expression::Value;
 use statement::{FlowStatement, Label, has_label, parse};
-use variables::{Variable, Variables};
+use variables::{Value, Variable, Variables};
 
 /// Most lines that are read again: more are taken for a loop without an end.
 const MOST_AGAIN: u64 = 5_000_000;

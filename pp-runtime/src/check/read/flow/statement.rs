@@ -2,7 +2,8 @@
 
 use super::super::facts::LineForm;
 use super::super::text::{Cursor, whole};
-use super::expression::{Expression, Value};
+use super::expression::Expression;
+use super::variables::Value;
 use super::variables::{Variable, Variables};
 
 /// Name of a label, a loop or a subprogram.

@@ -3,8 +3,6 @@
 use std::collections::HashMap;
 
 use super::super::facts::{Facts, LineForm};
-use super::super::text::Cursor;
-use super::expression::{Expression, Value};
 
 /// Largest number of variables that a program may set.
 const MOST: usize = 100_000;
@@ -70,6 +68,9 @@ const PREDEFINED: [&[u8]; 57] = [
     b"X",
 ];
 
+/// A value of an expression; `None`: it depends on what the program does not state.
+pub(super) type Value = Option<f64>;
+
 /// A variable by its name: `#5`, `#<DEPTH>`, `R5`, `Q5`, `QL5`; blanks and case do not count.
 pub(super) type Variable = Vec<u8>;
 
@@ -121,60 +122,14 @@ impl Variables {
         }
     }
 
+    /// Whether a program has defined a name.
+    pub(super) fn is_defined(&self, name: &Variable) -> bool {
+        self.defined.contains(name)
+    }
+
     /// Defines a name.
     pub(super) fn define(&mut self, name: Variable) {
         self.defined.push(name);
-    }
-
-    /// Takes a variable if one comes next.
-    pub(super) fn read(&self, at: &mut Cursor<'_>) -> Option<Variable> {
-        let start = *at;
-        let found = self.name(at);
-        if found.is_none() {
-            *at = start;
-        }
-        found
-    }
-
-    fn name(&self, at: &mut Cursor<'_>) -> Option<Variable> {
-        match self.form {
-            LineForm::Letters => {
-                at.take(b'#').then_some(())?;
-                at.blanks();
-                if at.take(b'<') {
-                    let end = at.rest().iter().position(|byte| *byte == b'>')?;
-                    let name = &at.rest()[..end];
-                    at.skip(end + 1);
-                    let letters = name.iter().filter(|byte| !byte.is_ascii_whitespace());
-                    return Some(b"#<".iter().copied().chain(letters.map(u8::to_ascii_uppercase)).collect());
-                }
-                // A variable, or brackets, may give the number.
-                let number = match at.peek()? {
-                    b'0'..=b'9' => at.number()?.value,
-                    _ => Expression::new(at, self).signed()??,
-                };
-                numbered(b"#", number)
-            }
-            LineForm::Keywords => {
-                let name = at.name().to_ascii_uppercase();
-                match &name[..] {
-                    [b'R', digits @ ..] if !digits.is_empty() && digits.iter().all(u8::is_ascii_digit) => Some(name),
-                    [b'R'] if at.peek() == Some(b'[') => {
-                        at.skip(1);
-                        let number = Expression::new(at, self).condition()??;
-                        at.take(b']').then_some(())?;
-                        numbered(b"R", number)
-                    }
-                    _ => self.defined.contains(&name).then_some(name),
-                }
-            }
-            LineForm::Statements => {
-                let letters = at.letters();
-                matches!(letters, b"Q" | b"QL" | b"QR").then_some(())?;
-                at.peek().filter(u8::is_ascii_digit)?;
-                numbered(letters, at.number()?.value)
-            }
-        }
     }
 
     /// Whether a program may set a variable: others belong to the control, or outlast the program.
@@ -197,11 +152,4 @@ impl Variables {
             },
         }
     }
-}
-
-/// A letter and a number.
-fn numbered(letters: &[u8], number: f64) -> Option<Variable> {
-    let whole = number.round();
-    ((number - whole).abs() < 1e-6 && (0.0..=99_999.0).contains(&whole))
-        .then(|| [letters, (whole as u32).to_string().as_bytes()].concat())
 }

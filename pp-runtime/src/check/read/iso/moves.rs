@@ -1,10 +1,11 @@
 //! Lines of axis words and F alone, and of arcs whose code is in force: most lines of a program.
 
-use super::super::language::{Address, Letters, letters};
+use super::super::language::{Address, letters};
 use super::super::machine::Interpreter;
 use super::super::text::{Cursor, Number, whole};
 use super::super::{Moves, Vocabulary};
 use crate::check::read::MAX_AXES;
+use crate::check::read::orders::Letters;
 
 /// Meaning of the first byte of a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

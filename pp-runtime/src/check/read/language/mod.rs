@@ -24,6 +24,7 @@ pub(crate) use print::table;
 
 use super::Family;
 use super::orders::Order;
+use crate::check::read::orders::Letters;
 
 /// Groups of codes of which a block may hold one, by number.
 pub(super) mod group {
@@ -63,9 +64,6 @@ pub(super) mod group {
     /// Codes of no modal group.
     pub(in super::super) const FREE: u32 = 31;
 }
-
-/// Letters A to Z as bits.
-pub(super) type Letters = u32;
 
 /// One code or word of a control.
 #[derive(Debug, Clone, Copy)]

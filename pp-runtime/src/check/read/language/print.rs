@@ -5,7 +5,8 @@ use std::io::{self, Write};
 use super::super::Family;
 use super::arguments::{ArgumentRole, List};
 use super::group;
-use super::{CodeRow, Language, Letters};
+use super::{CodeRow, Language};
+use crate::check::read::orders::Letters;
 
 /// Names of the columns.
 const HEADS: [&str; 8] = ["spelling", "meaning", "reads", "changes", "moves", "takes", "group", "source"];

@@ -10,9 +10,10 @@ mod motion;
 
 use super::block::{Action, Block, State, TipControl, stated};
 use super::facts::{Facts, LineForm};
-use super::language::Letters;
+
 use super::orders::{Act, Code, Cycle, ModeOrder, MotionOrder, Orders, effect, fault};
 use crate::check::read::MAX_AXES;
+use crate::check::read::orders::Letters;
 use crate::check::read::orders::Pattern;
 use crate::program::Units;
 use hole::Canned;
