@@ -43,8 +43,8 @@ impl Comparison<'_> {
     /// Notes what a block has done to the spindle.
     fn follow_spindle(&mut self, block: &Block, at_part: bool, current: &Current<'_>) {
         let (rotation, stated) = (block.state.spindle.flatten(), block.stated & stated::SPINDLE != 0);
-        let first = !std::mem::replace(&mut self.previous.spindle_stated, stated) && stated;
-        let before = std::mem::replace(&mut self.previous.rotation, rotation);
+        let first = !std::mem::replace(&mut self.previous.process.stated, stated) && stated;
+        let before = std::mem::replace(&mut self.previous.process.rotation, rotation);
         if stated {
             self.duties.happens(DutyEvent::SpindleStated);
         }
@@ -58,7 +58,7 @@ impl Comparison<'_> {
         }
         self.switched_twice(block, at_part, current);
         let dwell = self.rules.policy().links.spindle_dwell_s;
-        self.previous.spindle_waits = self.duties.owes(Duty::SpindleDwell);
+        self.previous.process.waits = self.duties.owes(Duty::SpindleDwell);
         if matches!(block.action, Action::Dwell(seconds) if seconds >= dwell - SHORT_SPINDLE_DWELL) {
             self.duties.happens(DutyEvent::SpindleWaited);
         }
@@ -80,7 +80,8 @@ impl Comparison<'_> {
                 continue;
             }
             let stops = matches!(block.action, Action::ToolChange | Action::End);
-            let twice = self.previous.switched[index] && known[index] && block.own.is_none() && !at_part && !stops;
+            let twice =
+                self.previous.process.switched[index] && known[index] && block.own.is_none() && !at_part && !stops;
             // Further kinds of coolant may come on.
             if twice && (index == 0 || !is_on[index]) {
                 self.found(
@@ -88,11 +89,11 @@ impl Comparison<'_> {
                     &format!("the {what} has been switched on before, and nothing has moved or waited since"),
                 );
             }
-            self.previous.switched[index] = is_on[index] && block.own.is_none();
-            self.previous.started |= index == 0 && is_on[index];
+            self.previous.process.switched[index] = is_on[index] && block.own.is_none();
+            self.previous.process.started |= index == 0 && is_on[index];
         }
         if matches!(block.action, Action::Dwell(_) | Action::Stop | Action::OptionalStop) {
-            self.previous.switched = [false; 2];
+            self.previous.process.switched = [false; 2];
         }
     }
 
@@ -132,7 +133,7 @@ impl Comparison<'_> {
         if !own.places.iter().all(of_end) {
             return;
         }
-        let tool = self.previous.tool;
+        let tool = self.previous.tools.current;
         let is_record = |item: &ExpectedItem| {
             let record = matches!(
                 item.action,
@@ -190,7 +191,7 @@ impl Comparison<'_> {
         let begun = (!owes(Duty::Retract) || owes(Duty::RetractAfterShopLine))
             && (!owes(Duty::CompleteState) || self.rules.policy().shop.own_safety);
         let tool = current.block.state.tool;
-        let other = if self.previous.has_changed {
+        let other = if self.previous.tools.has_changed {
             tool.is_some() && tool != self.tool_due()
         } else {
             self.tool_due().is_some()
@@ -212,7 +213,7 @@ impl Comparison<'_> {
                 self.found(current, "the safety line comes before the machine has retracted");
             }
             // A tool that is called before a stop is changed before it; and the program begins with a restart point.
-            let tool = self.previous.tool;
+            let tool = self.previous.tools.current;
             let stops = |item: &ExpectedItem| {
                 matches!(item.action, ExpectedAction::Stop { .. }) && tool.is_some() && item.required.tool == tool
             };

@@ -9,7 +9,7 @@ use super::super::read::{Action, Block, OwnPlace};
 use super::super::rules::{ModalContext, OffsetsInForce};
 use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::{Cutting, Phase, Retracted};
-use super::{Comparison, Current, Previous, machine_move, parking, retract};
+use super::{Comparison, Current, PreviousTools, machine_move, parking, retract};
 use crate::program::Clearance;
 
 impl Comparison<'_> {
@@ -185,7 +185,7 @@ impl Comparison<'_> {
         let tilts = phase.is_at_part() || (phase.is_unknown() && (probed || !links.retracts_for_stop));
         let context = ModalContext {
             dry,
-            no_plane: phase.is_unknown() || phase.is_stopped() || self.previous.tool.is_none(),
+            no_plane: phase.is_unknown() || phase.is_stopped() || self.previous.tools.current.is_none(),
             arc_plane: self.previous.arc_plane.filter(|_| matches!(phase, Phase::Cutting(_) | Phase::Unknown { .. })),
             ..ModalContext::default()
         };
@@ -226,7 +226,7 @@ impl Comparison<'_> {
         let Some(ExpectedItem { action: ExpectedAction::Home { called }, required, .. }) = self.progress.next() else {
             return false;
         };
-        let Previous { tool: before, unsure_tool, .. } = self.previous;
+        let PreviousTools { current: before, unsure: unsure_tool, .. } = self.previous.tools;
         tool == required.tool || tool.is_none() && before.is_some() && !(unsure_tool && *called)
     }
 

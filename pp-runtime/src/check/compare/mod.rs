@@ -164,30 +164,40 @@ struct Previous {
     /// A tilted plane, or a zero that follows the table, is in force.
     framed: bool,
     tip_control: bool,
-    /// The spindle or the coolant is known to be on.
+    process: PreviousProcess,
+    tools: PreviousTools,
+    /// Work offset and length at the first machine retract after the last cut or complete state, or since a line of the shop.
+    offsets: Option<OffsetsInForce>,
+}
+
+/// Spindle and coolant after the last block.
+#[derive(Debug, Clone, Copy, Default)]
+struct PreviousProcess {
+    /// One of them is known to be on.
     runs: bool,
     /// Sense of rotation of the spindle.
     rotation: Option<Rotation>,
-    /// It has been programmed since a complete state or a cycle that stops it.
-    spindle_stated: bool,
-    /// A dwell is the one after it has started.
-    spindle_waits: bool,
-    /// The last tool that the program has changed to as the CL data calls it.
-    tool: Option<u32>,
-    /// Blocks that may be skipped have begun or ended since.
-    unsure_tool: bool,
-    /// The program has changed a tool.
-    has_changed: bool,
-    /// The first tool that it has changed to.
-    first_tool: Option<u32>,
-    /// It has selected the next tool by itself.
-    prepares: bool,
+    /// The spindle has been programmed since a complete state or a cycle that stops it.
+    stated: bool,
+    /// A dwell is the one after the spindle has started.
+    waits: bool,
     /// The spindle, and the coolant, have been switched, and nothing has moved or waited since.
     switched: [bool; 2],
     /// The spindle has been switched on since the last motion.
     started: bool,
-    /// Work offset and length at the first machine retract after the last cut or complete state, or since a line of the shop.
-    offsets: Option<OffsetsInForce>,
+}
+
+/// Tools that the program has changed to.
+#[derive(Debug, Clone, Copy, Default)]
+struct PreviousTools {
+    /// The last one as the CL data calls it.
+    current: Option<u32>,
+    /// Blocks that may be skipped have begun or ended since.
+    unsure: bool,
+    has_changed: bool,
+    first: Option<u32>,
+    /// The program has selected the next tool by itself.
+    prepares: bool,
 }
 
 /// The lines that have set parts of the state: a wrong value is reported there.
@@ -472,7 +482,8 @@ impl Reading<'_> {
             if block.own.is_some() && before != offsets || block.action == Action::ToolChange {
                 comparison.previous.offsets = Some(offsets);
             }
-            comparison.previous.runs = state.spindle.flatten().is_some() || state.coolant.is_some_and(|on| on != 0);
+            comparison.previous.process.runs =
+                state.spindle.flatten().is_some() || state.coolant.is_some_and(|on| on != 0);
         }
         comparison.compared = true;
         Ok(())
@@ -484,7 +495,7 @@ impl Comparison<'_> {
     fn moving(&mut self, task: Task, phase: &mut Phase, current: &Current<'_>) -> io::Result<()> {
         let block = current.block;
         self.tally.count_motion();
-        (self.previous.switched, self.previous.started) = ([false; 2], false);
+        (self.previous.process.switched, self.previous.process.started) = ([false; 2], false);
         if phase.is_retracted() || phase.is_unknown() {
             self.take_tool();
         }

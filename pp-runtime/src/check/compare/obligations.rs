@@ -133,7 +133,7 @@ impl Comparison<'_> {
             }
             Duty::SpindleOff => return before.spindle.flatten().is_some(),
             Duty::SpindleStopped => return before.spindle != Some(None),
-            Duty::SpindleAndCoolantOff => return self.previous.runs,
+            Duty::SpindleAndCoolantOff => return self.previous.process.runs,
             Duty::CoolantStated => return unstated(stated::COOLANT),
             Duty::OffsetStated => return unstated(stated::OFFSET),
             Duty::SpindleStated => {

@@ -52,7 +52,7 @@ impl Comparison<'_> {
         if current.block.own.as_ref().is_some_and(|own| own.needs_standstill) {
             self.come_to(DutyPlace::Standstill, Some(phase), current);
         }
-        let is_first = self.previous.tool.is_none() && self.progress.last().is_none();
+        let is_first = self.previous.tools.current.is_none() && self.progress.last().is_none();
         if is_first && self.duties.owes(Duty::CompleteState) && !self.rules.policy().shop.own_safety {
             self.found(current, "this block comes before the first complete state of the program");
         }
@@ -70,7 +70,7 @@ impl Comparison<'_> {
         }
         if first && state.spindle.flatten().is_some() {
             self.found(current, "the spindle is on where a probe measures");
-        } else if self.previous.started {
+        } else if self.previous.process.started {
             self.found(current, "the spindle has been switched on where a probe measures");
         }
         if first {
@@ -101,11 +101,11 @@ impl Comparison<'_> {
             self.skip(lost, phase.here(), current);
         }
         let of_shop = current.block.own.is_some();
-        self.previous.has_changed = true;
-        self.previous.first_tool = self.previous.first_tool.or(tool);
+        self.previous.tools.has_changed = true;
+        self.previous.tools.first = self.previous.tools.first.or(tool);
         let required = self.tool_due();
         if required == tool {
-            (self.previous.tool, self.previous.unsure_tool) = (tool, false);
+            (self.previous.tools.current, self.previous.tools.unsure) = (tool, false);
         }
         match required {
             // The shop may end with another tool.
@@ -131,11 +131,11 @@ impl Comparison<'_> {
         if now.selected == before.selected {
             return;
         }
-        let prepared = before.selected.filter(|_| self.previous.prepares && before.selected != before.tool);
+        let prepared = before.selected.filter(|_| self.previous.tools.prepares && before.selected != before.tool);
         if let Some((prepared, tool)) = prepared.zip(now.selected) {
             self.found(current, &format!("T{prepared} was selected for the next tool change, and T{tool} comes"));
         }
-        self.previous.prepares = current.block.own.is_none();
+        self.previous.tools.prepares = current.block.own.is_none();
     }
 
     /// At the end code the tool that is selected is that in the spindle, or the first one, for the next part; or that of operations
@@ -143,8 +143,9 @@ impl Comparison<'_> {
     fn selected_at_end(&mut self, current: &Current<'_>) {
         let State { tool, selected, .. } = current.block.state;
         // After blocks that may be skipped the tool is unknown.
-        let first = self.previous.first_tool.filter(|_| tool.is_some() && self.rules.policy().selection.is_none());
-        if let Some((selected, first)) = selected.filter(|_| self.previous.prepares && selected != tool).zip(first)
+        let first = self.previous.tools.first.filter(|_| tool.is_some() && self.rules.policy().selection.is_none());
+        if let Some((selected, first)) =
+            selected.filter(|_| self.previous.tools.prepares && selected != tool).zip(first)
             && selected != first
         {
             self.found(current, &format!("T{selected} is selected for the next tool change, expected T{first}"));
@@ -161,7 +162,7 @@ impl Comparison<'_> {
     /// Whether the tool with which a record is carried out is in the spindle, as far as that is known.
     pub(super) fn is_with_tool(&self, item: &ExpectedItem, block: &Block) -> bool {
         let (tool, required) = (block.state.tool, item.required.tool);
-        tool == required || tool.is_none() && self.previous.tool.is_some()
+        tool == required || tool.is_none() && self.previous.tools.current.is_some()
     }
 
     /// Records act in the order of the CL data: a tool is changed before the records after its call.
@@ -223,7 +224,7 @@ impl Comparison<'_> {
         self.pass_needless(phase)?;
         // The spindle waits first, and a dwell of the CL data may be as long.
         let spindle = self.rules.policy().links.spindle_dwell_s;
-        let of_spindle = self.previous.spindle_waits && (spindle - seconds).abs() <= ROUNDED_DWELL;
+        let of_spindle = self.previous.process.waits && (spindle - seconds).abs() <= ROUNDED_DWELL;
         if of_spindle {
             return Ok(());
         }
@@ -359,7 +360,7 @@ impl Comparison<'_> {
         self.previous.known &= current.block.known_before;
         // A complete state that may be skipped, or that came before, is none for what comes after.
         self.functions.restart();
-        self.previous.unsure_tool = true;
+        self.previous.tools.unsure = true;
         self.forget(phase);
         self.duties.happens(DutyEvent::BlockSkip);
         *phase = match phase.is_retracted() {
@@ -385,7 +386,8 @@ impl Comparison<'_> {
         }
         if self.progress.next().is_some() {
             self.found(current, "end code before the end of the CL data");
-        } else if let Some(last) = self.progress.last_tool().filter(|_| self.progress.last_tool() != self.previous.tool)
+        } else if let Some(last) =
+            self.progress.last_tool().filter(|_| self.progress.last_tool() != self.previous.tools.current)
         {
             self.found(current, &format!("the CL data ends with a call of T{last}: the tool change is missing"));
         }

@@ -41,34 +41,59 @@ pub(super) struct ClState<'a> {
     stated_mm: Option<f64>,
     /// Rules that contradict each other.
     fault: Option<Diagnostic>,
+    path: ClPath,
+    holes: ClHoles,
+    items: Kept<ExpectedItem>,
+    /// Number of the last item that is no motion.
+    last_other: u64,
+    messages: Kept<ExpectedMessage>,
+    skipping: SkippedBlocks,
+    calls: ToolCalls,
+    /// Blocks of the shop that come before the approach to the next motion.
+    at_approach: Vec<(Location, ExpectedAction)>,
+}
+
+/// Where the path of the CL data is.
+#[derive(Debug, Default)]
+struct ClPath {
     /// Pose after the last motion.
     here: Option<Pose>,
     /// A cut would go on from `here`: no hole, and no name, tool or motion of the machine since.
     goes_on: bool,
     /// An arc needs a line to its start.
     fresh_arc: bool,
-    /// The hole whose motions are being added.
-    hole: Option<Rc<ExpectedHole>>,
+}
+
+/// Holes of the CL data.
+#[derive(Debug, Default)]
+struct ClHoles {
+    /// The one whose motions are being added.
+    current: Option<Rc<ExpectedHole>>,
     /// Number of holes so far.
-    holes: u64,
-    items: Kept<ExpectedItem>,
-    /// Number of the last item that is no motion.
-    last_other: u64,
-    /// The last tool that has been called in the selected operations.
-    last_call: Option<u32>,
-    messages: Kept<ExpectedMessage>,
+    count: u64,
+}
+
+/// Blocks that may be skipped.
+#[derive(Debug, Default)]
+struct SkippedBlocks {
     /// OPSKIP/ON is in force.
-    skippable: bool,
-    /// Before OPSKIP/ON: whether something had moved since the last stop, and the tool.
-    before_skip: (bool, Option<u32>),
-    /// The tool before the blocks that may be skipped, until a tool is called after them.
+    on: bool,
+    /// Something had moved before it since the last stop.
+    worked_before: bool,
+    tool_before: Option<u32>,
+    /// The tool before the blocks, until a tool is called after them.
     tool_if_skipped: Option<u32>,
-    /// The last call of a tool.
-    last_record: Option<ToolCall>,
+}
+
+/// Calls of tools.
+#[derive(Debug, Default)]
+struct ToolCalls {
+    /// The last tool that has been called in the selected operations.
+    last: Option<u32>,
+    /// The last call.
+    record: Option<ToolCall>,
     /// State before the call of a tool that nothing has been carried out with.
-    before_call: Option<Rc<Required>>,
-    /// Blocks of the shop that come before the approach to the next motion.
-    at_approach: Vec<(Location, ExpectedAction)>,
+    before: Option<Rc<Required>>,
 }
 
 /// Requests of SPINDL.
@@ -181,20 +206,13 @@ impl<'a> ClState<'a> {
             rules: RulesInForce::default(),
             stated_mm: None,
             fault: None,
-            here: None,
-            goes_on: false,
-            fresh_arc: true,
-            hole: None,
-            holes: 0,
+            path: ClPath { fresh_arc: true, ..ClPath::default() },
+            holes: ClHoles::default(),
             items: Kept::default(),
             last_other: 0,
-            last_call: None,
             messages: Kept::default(),
-            skippable: false,
-            before_skip: (false, None),
-            tool_if_skipped: None,
-            last_record: None,
-            before_call: None,
+            skipping: SkippedBlocks::default(),
+            calls: ToolCalls::default(),
             at_approach: Vec::new(),
         }
     }
@@ -246,7 +264,7 @@ impl<'a> ClState<'a> {
             }
             NewStart::SafeSequence => self.begin_elsewhere(),
             NewStart::Home => {
-                self.goes_on = false;
+                self.path.goes_on = false;
                 let called = self.operation.called;
                 self.interrupt(at, ExpectedAction::Home { called });
             }
@@ -275,7 +293,7 @@ impl<'a> ClState<'a> {
     /// A block of the shop: with the tool before a call, with that of the call, or last before the next motion.
     fn raw(&mut self, at: Location, text: Vec<u8>, place: BlockPlace) {
         let action = ExpectedAction::Raw(text);
-        match (place, self.before_call.clone()) {
+        match (place, self.calls.before.clone()) {
             (BlockPlace::AtApproach, _) => {
                 self.begin_anew();
                 self.at_approach.push((at, action));
@@ -285,7 +303,7 @@ impl<'a> ClState<'a> {
                 let called = std::mem::take(&mut self.operation.called);
                 let after = std::mem::replace(&mut self.required, Rc::clone(&before));
                 self.interrupt(at, action);
-                (self.required, self.operation.called, self.before_call) = (after, called, Some(before));
+                (self.required, self.operation.called, self.calls.before) = (after, called, Some(before));
             }
             _ => self.interrupt(at, action),
         }
@@ -316,7 +334,7 @@ impl<'a> ClState<'a> {
 
     fn arc(&mut self, at: Location, arc: &Arc) {
         self.call_default_tool();
-        if self.fresh_arc {
+        if self.path.fresh_arc {
             self.line(at, &Move { pose: arc.start, rapid: false, feed: arc.feed });
         }
         let end = Move { pose: arc.end, rapid: false, feed: arc.feed };
@@ -327,7 +345,7 @@ impl<'a> ClState<'a> {
         self.call_default_tool();
         let to = |tip| Move { pose: Pose { tip, axis: spline.axis }, rapid: false, feed: spline.feed };
         let (Some(first), Some(last)) = (spline.points.first(), spline.points.last()) else { return };
-        if self.fresh_arc {
+        if self.path.fresh_arc {
             self.line(at, &to(*first));
         }
         for span in 3..spline.points.len() {
@@ -341,16 +359,16 @@ impl<'a> ClState<'a> {
 
     fn hole(&mut self, at: Location, hole: &Hole) {
         self.call_default_tool();
-        self.holes += 1;
-        self.hole = Some(Rc::new(ExpectedHole { number: self.holes, hole: *hole }));
-        let here = self.here.filter(|_| !self.operation.starts);
+        self.holes.count += 1;
+        self.holes.current = Some(Rc::new(ExpectedHole { number: self.holes.count, hole: *hole }));
+        let here = self.path.here.filter(|_| !self.operation.starts);
         for step in unfolded(hole, here.as_ref(), self.policy.defaults.peck_gap_mm) {
             match step {
                 HoleStep::Move(motion) => self.line(at, &motion),
                 HoleStep::Dwell(dwell) => self.delay(at, dwell),
             }
         }
-        self.hole = None;
+        self.holes.current = None;
     }
 
     /// The optional stop after an operation for which the configuration asks; `other_tool`: another tool comes.
@@ -382,13 +400,13 @@ impl<'a> ClState<'a> {
 
     /// The last tool that has been called in the selected operations.
     pub(super) fn last_call(&self) -> Option<u32> {
-        self.last_call
+        self.calls.last
     }
 
     /// A text that the control displays, where the configuration asks for it; before the first motion of an operation it
     /// belongs to that.
     fn message(&mut self, at: Location, text: &[u8], may_be_cut: bool) {
-        self.before_call = None;
+        self.calls.before = None;
         let operation = &self.operation;
         let (number, reached) = match operation.starts {
             true => (operation.number + 1, operation.reached || operation.named),
@@ -404,7 +422,7 @@ impl<'a> ClState<'a> {
         self.stop_after_operation(at, false);
         self.link(true);
         self.begin();
-        self.goes_on = false;
+        self.path.goes_on = false;
         let name = String::from_utf8_lossy(name);
         if !self.policy.operations.is_empty() {
             self.named = (name.clone().into_owned(), Some(at));
@@ -456,10 +474,14 @@ impl<'a> ClState<'a> {
 
     /// Whether the tool goes on to an operation without a retract: at rapid, with the same tool axis, over the clearance geometry.
     fn links_to(&self, motion: &Move) -> bool {
-        let (Some(from), Some(clearance)) = (self.here, self.required.clearance) else { return false };
+        let (Some(from), Some(clearance)) = (self.path.here, self.required.clearance) else { return false };
         let axes = from.axis.into_inner() - motion.pose.axis.into_inner();
         let depth_mm = depth_of_line(&clearance, &from.tip.coords, &motion.pose.tip.coords);
-        self.operation.linked && motion.rapid && self.hole.is_none() && axes.norm() <= SAME_AXIS && depth_mm <= 0.0
+        self.operation.linked
+            && motion.rapid
+            && self.holes.current.is_none()
+            && axes.norm() <= SAME_AXIS
+            && depth_mm <= 0.0
     }
 
     /// The next motion begins an operation.
@@ -468,7 +490,7 @@ impl<'a> ClState<'a> {
             self.spindle.in_start = SpindleRecord::default();
         }
         self.operation.starts = true;
-        self.fresh_arc = true;
+        self.path.fresh_arc = true;
     }
 
     /// The same from an unknown position of the machine.
@@ -480,23 +502,23 @@ impl<'a> ClState<'a> {
 
     /// The same, and no cut goes on from where it was.
     fn begin_elsewhere(&mut self) {
-        self.goes_on = false;
+        self.path.goes_on = false;
         self.begin_anew();
     }
 
     /// OPSKIP.
     fn block_skip(&mut self, at: Location, on: bool) {
         let begins = on && self.is_selected_here();
-        if begins == self.skippable || on && !begins {
+        if begins == self.skipping.on || on && !begins {
             return;
         }
-        self.skippable = begins;
+        self.skipping.on = begins;
         if begins {
-            self.before_skip = (self.operation.worked, self.required.tool);
+            (self.skipping.worked_before, self.skipping.tool_before) = (self.operation.worked, self.required.tool);
         } else {
             // Skipped, a stop or a tool change among the blocks has not been.
-            self.operation.worked |= self.before_skip.0;
-            self.tool_if_skipped = self.before_skip.1;
+            self.operation.worked |= self.skipping.worked_before;
+            self.skipping.tool_if_skipped = self.skipping.tool_before;
         }
         self.interrupt(at, ExpectedAction::BlockSkip { on });
     }
@@ -511,19 +533,19 @@ impl<'a> ClState<'a> {
     fn tool(&mut self, at: Option<Location>, call: &ToolCall) {
         if let Some(at) = at {
             let other = |tool: Option<u32>| tool != Some(call.number);
-            let if_skipped = self.tool_if_skipped.take();
+            let if_skipped = self.skipping.tool_if_skipped.take();
             self.stop_after_operation(at, other(self.required.tool) || if_skipped.is_some() && other(if_skipped));
         }
-        let again = self.last_record.replace(*call) == Some(*call);
+        let again = self.calls.record.replace(*call) == Some(*call);
         if again && self.policy.links.over_clearance && self.required.clearance.is_some() {
             self.link(true);
-            self.goes_on = false;
+            self.path.goes_on = false;
             self.begin();
         } else {
             self.begin_elsewhere();
         }
         self.process_due = true;
-        self.before_call.get_or_insert_with(|| Rc::clone(&self.required));
+        self.calls.before.get_or_insert_with(|| Rc::clone(&self.required));
         let given = self.policy.set_up.tools.get(&call.number);
         if self.required.tool != Some(call.number) {
             self.operation.stopped = false;
@@ -533,7 +555,7 @@ impl<'a> ClState<'a> {
         }
         self.operation.called = true;
         if self.is_selected(self.operation.number + 1, self.operation.reached || self.operation.named) {
-            self.last_call = Some(call.number);
+            self.calls.last = Some(call.number);
         }
         self.require().tool = Some(call.number);
         let diameter_mm = call.diameter_mm.or(given.and_then(|tool| tool.diameter_mm));
@@ -571,7 +593,10 @@ impl<'a> ClState<'a> {
 
     /// A cut that was interrupted, by a stop or OPSKIP, goes on where it was: the tool comes back there first.
     fn go_back(&mut self, at: Location, motion: &Move) {
-        let from = self.here.filter(|_| self.goes_on && self.operation.starts && !motion.rapid && self.hole.is_none());
+        let from = self
+            .path
+            .here
+            .filter(|_| self.path.goes_on && self.operation.starts && !motion.rapid && self.holes.current.is_none());
         if let Some(pose) = from.filter(|from| {
             let apart = [from.tip - motion.pose.tip, from.axis.into_inner() - motion.pose.axis.into_inner()];
             apart.iter().any(|step| step.norm() > SAME_POSE)
@@ -582,7 +607,7 @@ impl<'a> ClState<'a> {
 
     /// A feed motion perpendicular to the tool, from a known position.
     fn is_perpendicular(&self, motion: &Move) -> bool {
-        let Some(here) = self.here.filter(|_| !self.operation.starts && !motion.rapid) else { return false };
+        let Some(here) = self.path.here.filter(|_| !self.operation.starts && !motion.rapid) else { return false };
         let step = motion.pose.tip - here.tip;
         let along = step.dot(&motion.pose.axis);
         along.abs() <= IN_CUTTER_PLANE.max(0.5 * self.unit_mm)
@@ -590,7 +615,7 @@ impl<'a> ClState<'a> {
     }
 
     fn motion(&mut self, at: Location, motion: &Move, shape: PathShape) {
-        self.fresh_arc = false;
+        self.path.fresh_arc = false;
         let operation = &mut self.operation;
         // Before the first tool no length is active, and nothing moves.
         if operation.starts && self.required.tool.is_none() && motion.rapid && !self.head {
@@ -603,8 +628,8 @@ impl<'a> ClState<'a> {
         let continues = stays && (self.policy.links.direct || operation.starts && self.links_to(motion));
         let starts = operation.starts && !continues;
         // A hole is one statement, which no cut goes on from.
-        self.goes_on = self.hole.is_none();
-        self.here = Some(motion.pose);
+        self.path.goes_on = self.holes.current.is_none();
+        self.path.here = Some(motion.pose);
         let begins = self.operation.starts;
         if begins {
             self.start_operation(at);
@@ -716,7 +741,7 @@ impl<'a> ClState<'a> {
 
     /// Whether the motion is one of a thread, whose feed follows from its pitch.
     fn in_thread(&self) -> bool {
-        self.hole.as_ref().is_some_and(|hole| matches!(hole.hole.drilling, Drilling::Tap { .. }))
+        self.holes.current.as_ref().is_some_and(|hole| matches!(hole.hole.drilling, Drilling::Tap { .. }))
     }
 
     /// The first rules that contradict each other.
@@ -782,7 +807,7 @@ impl<'a> ClState<'a> {
             Dwell::Seconds(seconds) => seconds,
             Dwell::Revolutions(count) => self.spindle_state().map_or(f64::NAN, |(speed, _)| count / speed * 60.0),
         };
-        self.before_call = None;
+        self.calls.before = None;
         if seconds > 0.0 {
             let SpindleRecord { speed_rev_per_min, rotation, off } = self.spindle.in_start;
             let is_on = self.operation.starts
@@ -816,7 +841,7 @@ impl<'a> ClState<'a> {
     #[inline(always)]
     fn push(&mut self, at: Location, action: ExpectedAction) {
         if !matches!(action, ExpectedAction::BlockSkip { .. }) {
-            self.before_call = None;
+            self.calls.before = None;
         }
         self.operation.stopped = false;
         if self.is_selected_here() {
@@ -824,7 +849,7 @@ impl<'a> ClState<'a> {
             self.items.push(ExpectedItem {
                 at,
                 required: Rc::clone(&self.required),
-                hole: self.hole.as_ref().map(|hole| self.at_feed(hole)),
+                hole: self.holes.current.as_ref().map(|hole| self.at_feed(hole)),
                 action,
             });
             if !is_motion {

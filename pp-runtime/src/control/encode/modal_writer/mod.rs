@@ -33,6 +33,30 @@ struct AxisAddress {
     after: &'static str,
 }
 
+/// Smoothing, each with its tolerance in the unit of the program.
+struct SmoothingOfCuts {
+    /// Of the configuration.
+    usual: (Smoothing, Decimal),
+    /// Of the cuts that come.
+    wanted: (Smoothing, Decimal),
+    /// Numbers of the levels.
+    levels: Option<[u32; 3]>,
+    /// Tolerance of the blending in force, where the safety blocks state it.
+    blending: Decimal,
+}
+
+/// Tip control as far as its codes are those of other functions.
+struct TipControlState {
+    /// Code that calls the length offset and switches it on, where one does both.
+    length_code: Option<&'static str>,
+    /// It is on, or comes on with the next length offset.
+    is_on: bool,
+    /// It may have cancelled the work offset.
+    offset_lost: bool,
+    /// It ends with the code that cancels the length offset, in the next block of machine coordinates.
+    ends: bool,
+}
+
 /// Writes blocks in the codes of a control, and leaves out words that are in force.
 pub(crate) struct ModalWriter<'a> {
     codes: &'static Spellings,
@@ -50,26 +74,13 @@ pub(crate) struct ModalWriter<'a> {
     numerals: Numerals,
     /// Every block holds every word.
     every_word: bool,
-    /// Smoothing of the configuration, and that of the cuts that come, with their tolerances in the unit of the program.
-    usual_smoothing: (Smoothing, Decimal),
-    smoothing: (Smoothing, Decimal),
-    /// Numbers of the levels of smoothing.
-    smoothing_levels: Option<[u32; 3]>,
+    smoothing: SmoothingOfCuts,
     /// Unit of lengths, mm.
     unit_mm: f64,
-    /// Tolerance of the blending in force, where the safety blocks state it.
-    blending: Decimal,
     /// Words for the tool axis as a vector, where it is written instead of rotary words.
     vectors: Option<&'static ToolAxisWords>,
     vector_words: [WordForm<'static>; 3],
-    /// Code that calls the length offset and switches on tip control, where one does both.
-    tip_length_code: Option<&'static str>,
-    /// Tip control is on, or comes on with the next length offset.
-    tip_control: bool,
-    /// Tip control may have cancelled the work offset.
-    offset_lost: bool,
-    /// Tip control ends with the code that cancels the length offset, in the next block of machine coordinates.
-    ends_tip_control: bool,
+    tip: TipControlState,
     /// Machine retract of the control, and the blocks that take its place.
     retract: Option<RetractForm>,
     own_retract: Vec<String>,
@@ -150,6 +161,7 @@ impl<'a> ModalWriter<'a> {
         };
         let vectors = codes.tip.as_ref().and_then(|tip| tip.vectors.as_ref()).filter(|_| layout.vectors);
         let axes = addresses(control, layout, numerals);
+        let smoothing = (layout.options.smoothing, path_tolerance(layout.path_tolerance));
         Self {
             codes,
             writer: Writer::new(out, numbering),
@@ -162,19 +174,23 @@ impl<'a> ModalWriter<'a> {
             z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
             numerals,
             every_word: layout.options.every_word,
-            usual_smoothing: (layout.options.smoothing, path_tolerance(layout.path_tolerance)),
-            smoothing: (layout.options.smoothing, path_tolerance(layout.path_tolerance)),
-            smoothing_levels: layout.options.smoothing_levels,
+            smoothing: SmoothingOfCuts {
+                usual: smoothing,
+                wanted: smoothing,
+                levels: layout.options.smoothing_levels,
+                blending: smoothing.1,
+            },
             unit_mm: layout.units.in_mm(),
-            blending: path_tolerance(layout.path_tolerance),
             vectors,
             vector_words: vectors
                 .map_or([""; 3], |vectors| vectors.words)
                 .map(|letters| WordForm::new(letters, VECTOR_DECIMALS, numerals)),
-            tip_length_code: tip_length_code(codes, layout, vectors),
-            tip_control: false,
-            offset_lost: false,
-            ends_tip_control: false,
+            tip: TipControlState {
+                length_code: tip_length_code(codes, layout, vectors),
+                is_on: false,
+                offset_lost: false,
+                ends: false,
+            },
             retract: layout.options.retract_form(codes),
             own_retract: layout.options.own_retract().cloned().unwrap_or_default(),
             side: None,
@@ -207,18 +223,18 @@ impl<'a> ModalWriter<'a> {
 
     /// Notes that tip control is on, or off; `with_length`: it ends with the code that cancels the length offset.
     pub(crate) fn set_tip_control(&mut self, on: bool, with_length: bool) {
-        self.tip_control = on;
-        self.ends_tip_control = !on && with_length;
+        self.tip.is_on = on;
+        self.tip.ends = !on && with_length;
     }
 
     /// Notes that the work offset may have been cancelled, or is in force.
     pub(crate) fn set_offset_lost(&mut self, lost: bool) {
-        self.offset_lost = lost;
+        self.tip.offset_lost = lost;
     }
 
     /// Writes the work offset, if it may have been cancelled.
     pub(crate) fn restate_offset(&mut self) -> io::Result<()> {
-        if std::mem::take(&mut self.offset_lost) { self.fill("{work_offset}") } else { Ok(()) }
+        if std::mem::take(&mut self.tip.offset_lost) { self.fill("{work_offset}") } else { Ok(()) }
     }
 
     /// A number in the form of axis words.
@@ -432,22 +448,22 @@ impl<'a> ModalWriter<'a> {
 
     /// Sets the smoothing of the cuts that come, and its tolerance, mm; `None`: that of the configuration.
     pub(crate) fn set_smoothing(&mut self, level: Option<Smoothing>, tolerance_mm: Option<f64>) {
-        let (usual_level, usual) = self.usual_smoothing;
+        let (usual_level, usual) = self.smoothing.usual;
         let tolerance = tolerance_mm.map_or(usual, |mm| path_tolerance(mm / self.unit_mm));
-        self.smoothing = (level.unwrap_or(usual_level), tolerance);
+        self.smoothing.wanted = (level.unwrap_or(usual_level), tolerance);
         self.values.path_tolerance = text(tolerance, Numerals { plus: false, ..self.numerals });
     }
 
     /// Notes that the safety blocks have stated the tolerance of the blending.
     pub(crate) fn note_blending(&mut self) {
-        self.blending = self.smoothing.1;
+        self.smoothing.blending = self.smoothing.wanted.1;
     }
 
     /// Switches smoothing on or off, where that of the cuts differs from the one in force. `cuts`: a cut comes. Where it is
     /// unknown, the next cut decides.
     #[inline]
     pub(crate) fn smooth(&mut self, cuts: bool) -> io::Result<()> {
-        let (level, tolerance) = self.smoothing;
+        let (level, tolerance) = self.smoothing.wanted;
         let wanted = match level.level() {
             Some(level) if cuts => SmoothingState::On(level, tolerance),
             _ => SmoothingState::Off,
@@ -471,7 +487,7 @@ impl<'a> ModalWriter<'a> {
     /// Writes the tolerance of the blending of the cuts that come, if no safety block has stated it.
     #[inline]
     pub(crate) fn blend(&mut self) -> io::Result<()> {
-        if self.blending == self.smoothing.1 { Ok(()) } else { self.write_blending() }
+        if self.smoothing.blending == self.smoothing.wanted.1 { Ok(()) } else { self.write_blending() }
     }
 
     #[cold]
@@ -485,7 +501,7 @@ impl<'a> ModalWriter<'a> {
         let codes = self.codes;
         let begins = |state, values: &mut Values| {
             let SmoothingState::On(level, _) = state else { return Vec::new() };
-            values.smoothing_level = self.smoothing_levels.map(|levels| levels[level]);
+            values.smoothing_level = self.smoothing.levels.map(|levels| levels[level]);
             let angled = codes.smoothing_with_angle[level];
             let blocks = if values.angle_deg.is_some() && !angled.is_empty() { angled } else { codes.smoothing[level] };
             blocks.iter().filter_map(|block| values.fill(block)).collect()

@@ -45,7 +45,7 @@ impl ModalWriter<'_> {
         if !self.any_changes(words) {
             return Ok(());
         }
-        if self.offset_lost && self.axes.iter().any(|axis| axis.linear && words.has(axis.index)) {
+        if self.tip.offset_lost && self.axes.iter().any(|axis| axis.linear && words.has(axis.index)) {
             self.restate_offset()?;
         }
         self.call_length_alone(words)?;
@@ -85,7 +85,7 @@ impl ModalWriter<'_> {
                 if let Some(z) = self.z {
                     self.modal.forget_axis(z);
                 }
-                self.code(self.tip_length_code.filter(|_| self.tip_control).unwrap_or(self.codes.length.code));
+                self.code(self.tip.length_code.filter(|_| self.tip.is_on).unwrap_or(self.codes.length.code));
                 Ok(())
             }
             LengthCall::WithZ | LengthCall::WithTool => Ok(()),

@@ -14,7 +14,7 @@ impl ModalWriter<'_> {
     /// coordinates, which ends both.
     pub(crate) fn retract(&mut self, words: &AxisWords) -> io::Result<()> {
         match self.retract {
-            _ if self.ends_tip_control => self.machine_rapid(words),
+            _ if self.tip.ends => self.machine_rapid(words),
             None => self.own_retract(),
             Some(RetractForm::AlongTool { block }) if self.modal.is_tool_called() => {
                 self.retract_along_tool(block, words)
@@ -48,7 +48,7 @@ impl ModalWriter<'_> {
         self.axis_words(words, true);
         self.writer.code(after);
         self.modal.forget(After::MachineRapid(words));
-        self.ends_tip_control = false;
+        self.tip.ends = false;
         self.end()
     }
 
