@@ -43,14 +43,20 @@ pub(super) struct ClState<'a> {
     fault: Option<Diagnostic>,
     path: ClPath,
     holes: ClHoles,
-    items: Kept<ExpectedItem>,
-    /// Number of the last item that is no motion.
-    last_other: u64,
-    messages: Kept<ExpectedMessage>,
+    queue: ExpectedQueue,
     skipping: SkippedBlocks,
     calls: ToolCalls,
     /// Blocks of the shop that come before the approach to the next motion.
     at_approach: Vec<(Location, ExpectedAction)>,
+}
+
+/// What the program must have, until it has come.
+#[derive(Debug, Default)]
+struct ExpectedQueue {
+    items: Kept<ExpectedItem>,
+    /// Number of the last item that is no motion.
+    last_other: u64,
+    messages: Kept<ExpectedMessage>,
 }
 
 /// Where the path of the CL data is.
@@ -208,9 +214,7 @@ impl<'a> ClState<'a> {
             fault: None,
             path: ClPath { fresh_arc: true, ..ClPath::default() },
             holes: ClHoles::default(),
-            items: Kept::default(),
-            last_other: 0,
-            messages: Kept::default(),
+            queue: ExpectedQueue::default(),
             skipping: SkippedBlocks::default(),
             calls: ToolCalls::default(),
             at_approach: Vec::new(),
@@ -219,7 +223,7 @@ impl<'a> ClState<'a> {
 
     /// Items of the events so far.
     pub(super) fn items(&mut self) -> &mut Kept<ExpectedItem> {
-        &mut self.items
+        &mut self.queue.items
     }
 
     /// The state of the next motions.
@@ -390,12 +394,12 @@ impl<'a> ClState<'a> {
 
     /// Texts that the control must display.
     pub(super) fn messages(&mut self) -> &mut Kept<ExpectedMessage> {
-        &mut self.messages
+        &mut self.queue.messages
     }
 
     /// Number of the last item that is no motion; 0 before the first.
     pub(super) fn last_other(&self) -> u64 {
-        self.last_other
+        self.queue.last_other
     }
 
     /// The last tool that has been called in the selected operations.
@@ -414,7 +418,7 @@ impl<'a> ClState<'a> {
         };
         let text = legible(text);
         if self.policy.shop.displays_messages && !text.is_empty() && self.is_selected(number, reached) {
-            self.messages.push(ExpectedMessage { at, text, may_be_cut, after: self.items.count() });
+            self.queue.messages.push(ExpectedMessage { at, text, may_be_cut, after: self.queue.items.count() });
         }
     }
 
@@ -846,14 +850,14 @@ impl<'a> ClState<'a> {
         self.operation.stopped = false;
         if self.is_selected_here() {
             let is_motion = matches!(action, ExpectedAction::Motion(_));
-            self.items.push(ExpectedItem {
+            self.queue.items.push(ExpectedItem {
                 at,
                 required: Rc::clone(&self.required),
                 hole: self.holes.current.as_ref().map(|hole| self.at_feed(hole)),
                 action,
             });
             if !is_motion {
-                self.last_other = self.items.count();
+                self.queue.last_other = self.queue.items.count();
             }
         }
     }
