@@ -316,10 +316,10 @@ impl Surveyor {
                 }
             }
             Event::NewStart(NewStart::Operation(name)) => self.selection.name(name),
-            Event::NewStart(NewStart::Tool(ToolCall { number: 0, .. })) => {
+            Event::NewStart(NewStart::Tool(call @ ToolCall { number: 0, .. })) => {
                 // A tool that was called and has not moved never comes into the spindle.
                 self.survey.empties_spindle = true;
-                (self.call, self.called) = (None, false);
+                (self.call, self.called, self.tool) = (Some(call), true, None);
             }
             Event::NewStart(NewStart::Tool(call)) => self.call_tool(at, call),
             Event::Function(MachineFunction::Spindle(Spindle::On { .. })) => self.spindle = true,

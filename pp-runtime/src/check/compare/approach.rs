@@ -117,6 +117,8 @@ impl Comparison<'_> {
         let to_station = |station: Station| self.is_due(station, block) && goes_to(station.places(links));
         if !parks && retracted.step == 0 && Station::ALL.into_iter().any(to_station) {
             self.rotate_to_station(retracted, step.turned, current);
+            // Its positions may be those of the next cut.
+            self.functions.state_axes(block.written);
             return true;
         }
         // A cut goes on with the spindle on, and its rotary axes rotate first; at the end it is off before the axes are parked.
@@ -450,7 +452,9 @@ impl Comparison<'_> {
     /// Rotary axes to their parking positions.
     pub(super) fn park(&mut self, retracted: &mut Retracted, current: &Current<'_>) {
         let block = current.block;
-        let fault = self.rules.fault_at_park(block, self.progress.last(), ModalContext::default());
+        // Before the first tool call no plane need be selected.
+        let context = ModalContext { no_plane: self.previous.tools.current.is_none(), ..ModalContext::default() };
+        let fault = self.rules.fault_at_park(block, self.progress.last(), context);
         self.found_state(current, fault);
         self.parks_at_end(current);
         if retracted.linear_parked && self.rules.policy().links.home_mm.is_none() {

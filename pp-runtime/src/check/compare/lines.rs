@@ -133,6 +133,10 @@ impl Comparison<'_> {
         if !own.places.iter().all(of_end) {
             return;
         }
+        let before = &self.setters.at_block;
+        if before.spindle.flatten().is_some() || before.coolant.is_some_and(|on| on != 0) {
+            self.found(current, "the spindle or the coolant is on where blocks end the work of a tool");
+        }
         let tool = self.previous.tools.current;
         let is_record = |item: &ExpectedItem| {
             let record = matches!(

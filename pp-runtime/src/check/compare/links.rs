@@ -301,6 +301,9 @@ impl Comparison<'_> {
         let linked = self.progress.next().filter(|item| item.motion().is_some_and(|motion| !motion.starts));
         let in_next = linked.and_then(|item| self.rules.spindle_in_cut(&item.required));
         let is_so = |spindle: &Option<SpindleState>| self.rules.spindle_is(&block.state, *spindle);
-        [requested, in_next, self.functions.waits_with()].into_iter().find(is_so).unwrap_or(in_cut)
+        [requested, self.progress.requested_before(), in_next, self.functions.waits_with()]
+            .into_iter()
+            .find(is_so)
+            .unwrap_or(in_cut)
     }
 }

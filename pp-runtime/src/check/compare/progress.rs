@@ -132,6 +132,10 @@ impl<'a> ClProgress<'a> {
     }
 
     /// Spindle state that the last SPINDL before the next item requests.
+    pub(super) fn requested_before(&self) -> Option<SpindleState> {
+        self.expect.requested_before()
+    }
+
     pub(super) fn requested_spindle(&self) -> Option<Option<SpindleState>> {
         self.expect.requested_spindle()
     }

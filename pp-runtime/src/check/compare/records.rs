@@ -228,6 +228,17 @@ impl Comparison<'_> {
         if of_spindle {
             return Ok(());
         }
+        let drains = self.rules.policy().links.through_dwell_s;
+        // A dwell of the spindle may be as long.
+        let stands = current.block.state.spindle.flatten().is_none();
+        if stands
+            && phase.is_retracted()
+            && self.duties.owes(Duty::DrainDwell)
+            && (drains - seconds).abs() <= ROUNDED_DWELL
+        {
+            self.duties.happens(DutyEvent::Drained);
+            return Ok(());
+        }
         if let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds: expected, spindle, .. }, required, .. }) =
             self.progress.next()
             && (expected - seconds).abs() <= ROUNDED_DWELL
@@ -255,18 +266,10 @@ impl Comparison<'_> {
         if !phase.is_at_part() && self.shop_lines.has(current.shown.text) {
             return Ok(());
         }
-        let drains = self.rules.policy().links.through_dwell_s;
-        // A dwell of the spindle may be as long.
-        let stands = current.block.state.spindle.flatten().is_none();
-        if stands
-            && phase.is_retracted()
-            && self.duties.owes(Duty::DrainDwell)
-            && (drains - seconds).abs() <= ROUNDED_DWELL
-        {
-            self.duties.happens(DutyEvent::Drained);
-            return Ok(());
+        // The writer may not know that the spindle runs already.
+        if !(self.previous.process.started && (spindle - seconds).abs() <= ROUNDED_DWELL) {
+            self.found(current, &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"));
         }
-        self.found(current, &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"));
         Ok(())
     }
 
@@ -296,6 +299,10 @@ impl Comparison<'_> {
         let of_shop = current.block.own.as_ref().is_some_and(|own| own.places.iter().any(may_stop));
         match self.progress.next() {
             Some(item) if suits(item) => {
+                let off = matches!(self.progress.requested_spindle(), Some(None));
+                if off && current.block.state.spindle.flatten().is_some() {
+                    self.found(current, "the spindle is on at this stop, and the CL data has switched it off");
+                }
                 self.compare_tool(current);
                 self.progress.take();
             }

@@ -46,6 +46,8 @@ pub(super) struct Required {
     pub(crate) spindle: Option<SpindleState>,
     /// Spindle state that the last SPINDL requests, if that is after a motion of its operation; `None` before the first.
     requested_spindle: Option<Option<SpindleState>>,
+    /// The one that it takes the place of, without a motion between them.
+    requested_before: Option<SpindleState>,
     /// Bits of [`coolant`](super::read::coolant).
     pub(crate) coolant: u8,
     /// Number of the set-up.
@@ -274,8 +276,13 @@ impl<'a> Expect<'a> {
     pub(super) fn requested_spindle(&self) -> Option<Option<SpindleState>> {
         match self.items.front() {
             Some(item) => item.required.requested_spindle,
-            None => self.source.borrow().state.required().requested_spindle,
+            None => self.source.borrow().state.requested_after_selected(),
         }
+    }
+
+    /// Spindle state that another SPINDL before it requests.
+    pub(super) fn requested_before(&self) -> Option<SpindleState> {
+        self.items.front().and_then(|item| item.required.requested_before)
     }
 
     /// The next text that the control must display.

@@ -110,6 +110,8 @@ struct SpindleRecords {
     in_start: SpindleRecord,
     /// A stop or NC text has come since the last one: the spindle starts in the approach.
     held: bool,
+    /// What is requested after the last motion of the selected operations.
+    after_selected: Option<Option<SpindleState>>,
 }
 
 /// Speed and sense of rotation as far as they are requested, and OFF.
@@ -175,6 +177,7 @@ impl<'a> ClState<'a> {
             gauge_length_mm: None,
             spindle: None,
             requested_spindle: None,
+            requested_before: None,
             coolant: 0,
             set_up: 1,
             operation: 0,
@@ -224,11 +227,6 @@ impl<'a> ClState<'a> {
     /// Items of the events so far.
     pub(super) fn items(&mut self) -> &mut Kept<ExpectedItem> {
         &mut self.queue.items
-    }
-
-    /// The state of the next motions.
-    pub(super) fn required(&self) -> &Rc<Required> {
-        &self.required
     }
 
     /// The state of the next motions, to be changed.
@@ -445,8 +443,19 @@ impl<'a> ClState<'a> {
         if self.operation.starts {
             self.spindle.in_start.take(spindle);
         } else {
-            self.require().requested_spindle = Some(self.spindle_state());
+            let state = self.spindle_state();
+            let required = self.require();
+            required.requested_before = required.requested_spindle.flatten();
+            required.requested_spindle = Some(state);
+            if self.is_selected_here() {
+                self.spindle.after_selected = Some(state);
+            }
         }
+    }
+
+    /// The spindle that SPINDL requests after the last selected motion.
+    pub(super) fn requested_after_selected(&self) -> Option<Option<SpindleState>> {
+        self.spindle.after_selected
     }
 
     /// CUTCOM: ON takes the side and the register that were programmed last.
@@ -514,7 +523,9 @@ impl<'a> ClState<'a> {
     fn block_skip(&mut self, at: Location, on: bool) {
         let begins = on && self.is_selected_here();
         if begins == self.skipping.on || on && !begins {
-            return;
+            // Among operations that are not in the program it separates them all the same.
+            self.spindle.held = true;
+            return self.begin_anew();
         }
         self.skipping.on = begins;
         if begins {
@@ -651,7 +662,11 @@ impl<'a> ClState<'a> {
         self.push(at, ExpectedAction::Motion(ClMotion { to, shape, rapid: motion.rapid, feed, starts }));
         // A SPINDL after the operation before counts until here.
         if begins && self.required.requested_spindle.is_some() {
-            self.require().requested_spindle = None;
+            let required = self.require();
+            (required.requested_spindle, required.requested_before) = (None, None);
+        }
+        if begins && self.is_selected_here() {
+            self.spindle.after_selected = None;
         }
     }
 

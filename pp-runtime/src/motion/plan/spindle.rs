@@ -135,7 +135,7 @@ impl PlannedSpindle {
         let Some(ResolvedSpindle { word: speed, exact_rev_per_min, rotation }) = self.request.resolve(given, policy)?
         else {
             // The spindle does not stop in the part: see `stop_if_pending`.
-            self.stop_pending |= self.running.is_some();
+            self.stop_pending |= self.running.is_some() || self.request.off && self.uncertain;
             return Ok(());
         };
         let was_off = std::mem::take(&mut self.is_off);

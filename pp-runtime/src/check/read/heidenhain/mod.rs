@@ -223,7 +223,10 @@ fn tool_number(line: &mut Line<'_>) -> Result<Option<u32>, ()> {
     } else {
         return Ok(None);
     };
-    line.called(named, start);
+    // The empty spindle has no name.
+    if number != Some(0) {
+        line.called(named, start);
+    }
     number.map(Some).ok_or(())
 }
 

@@ -136,7 +136,10 @@ fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
         Address::Vector => usize::from(letter - b'A'),
         Address::Centre => usize::from(letter - b'I'),
         Address::Tool => {
-            line.called(false, start);
+            // The empty spindle has no name.
+            if whole(number) != Some(0) {
+                line.called(false, start);
+            }
             0
         }
         _ => 0,
