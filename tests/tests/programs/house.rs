@@ -68,7 +68,6 @@ const LONG_FUNCTIONS: &[(&str, usize)] = &[
 
 /// Modules of one folder that use each other in a circle.
 const CIRCLES: &[&[&str]] = &[
-    &["cl::events", "cl::reader"],
     // The table of words names the functions that read them, and two of these ask it for words.
     &["cl::record::comment", "cl::record::vocabulary", "cl::record::words"],
     &["cli::posting", "cli::simulate", "cli::view"],
