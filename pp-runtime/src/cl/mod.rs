@@ -2,7 +2,8 @@
 //!
 //! `text` splits bytes into statements, [`record`] makes typed [`Record`]s of them, and `meaning` applies units and
 //! modes and returns the [`Event`](crate::program::Event)s of [`program`](crate::program). The [`ClReader`] calls these
-//! three in turn and keeps subprograms and diagnostics; `events` has its events in batches, read ahead or not. Memory is constant: one read buffer, one buffer for joined
+//! three in turn and keeps subprograms and diagnostics; `batch` has its events in batches, and `events` hands them on, read ahead or not.
+//! Memory is constant: one read buffer, one buffer for joined
 //! statements, no allocation for a record that is understood.
 //!
 //! Reading goes on after an error, so that one run reports all errors of a file; no event is returned after the first.
@@ -27,6 +28,7 @@
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
+mod batch;
 mod diagnostics;
 mod dialect;
 mod events;
@@ -40,8 +42,9 @@ mod vector;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use self::batch::FileFacts;
 pub use self::dialect::Dialect;
-pub(crate) use self::events::{ClData, ClEvents, FileFacts, FromHere};
+pub(crate) use self::events::{ClData, ClEvents, FromHere};
 pub use self::meaning::{
     ArcVote, CycleArg, FeedLabel, FrameVote, Frames, Insert, ReadingOptions, Sense, SetUpBegins, StatedFrame,
     StatedTool, ToolArg,

@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 use std::io::{self, Read, Seek};
 
+use super::batch::{Batch, FileFacts, More, NO_EVENT};
 use super::diagnostics::Faults;
 use super::dialect::Dialect;
-use super::events::{Batch, FileFacts, More, NO_EVENT};
 use super::meaning::{ArcVote, Contradictions, FrameVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame};
 use super::record::{
     CIRCLE, CIRCLE_NUMBERS, CatiaMatrix, GOTO, MotionRecord, Record, SubprogramRecord, comment_dialect, joined_goto,
@@ -135,7 +135,7 @@ impl<R: Read> ClReader<R> {
     fn add_other(&self, found: io::Result<bool>, batch: &mut Batch) -> More {
         match found {
             Ok(true) => batch.take_place_with(self.text(), || self.interpreter.kept_for_events()),
-            Ok(false) => batch.end(Ok(FileFacts::of(self))),
+            Ok(false) => batch.end(Ok(self.facts())),
             Err(error) => batch.end(Err(error)),
         }
     }
@@ -414,6 +414,23 @@ impl<R: Read> ClReader<R> {
     /// Number of tool axes so far that had to be normalised by more than rounding.
     pub fn normalised_axes(&self) -> u64 {
         self.interpreter.axis().normalised()
+    }
+
+    /// The facts about the file, at its end.
+    pub(super) fn facts(&self) -> FileFacts {
+        FileFacts {
+            units: self.units(),
+            units_only_given: self.units_are_only_given(),
+            states_frame: self.frame().is_some(),
+            dialect: self.dialect(),
+            arcs: self.arcs(),
+            frames: self.frame_vote(),
+            setup_changes: self.setup_changes(),
+            inverse_time: self.asks_for_inverse_time(),
+            lines: self.lines(),
+            diagnostics: self.diagnostics().to_vec(),
+            failed: self.failed(),
+        }
     }
 
     fn begin(&mut self) -> io::Result<()> {

@@ -146,39 +146,12 @@ pub(crate) fn assumptions(
     for state in states(control, config, survey).filter(|state| !config.control.states.contains_key(state.key)) {
         list.push(format!("{} is {}", state.title(), state.needed));
     }
-    for tool in survey.tools.iter().filter(|tool| tool.spindle_assumed) {
-        let number = tool.call.number;
-        let given = config.set_up.tools.get(&number);
-        let speed = given.and_then(|tool| tool.speed_rev_per_min).or(config.motion.defaults.speed_rev_per_min);
-        let rotation = given.and_then(|tool| tool.rotation).or(config.motion.defaults.rotation);
-        if let (Some(speed), Some(rotation)) = (speed, rotation) {
-            let sense = match rotation {
-                Rotation::Clockwise => "CLW",
-                Rotation::CounterClockwise => "CCLW",
-            };
-            list.push(format!(
-                "spindle of T{number} from the configuration where the CL data has none: S{speed} {sense}"
-            ));
-        }
-    }
+    list.extend(assumed_spindles(config, survey));
     let empties = control.spellings().empty_spindle_note;
     if survey.empties_spindle && !empties.is_empty() {
         list.push(empties.to_owned());
     }
-    for (letter, wrap) in &config.motion.rotaries.wrap {
-        match wrap {
-            Wrap::Positive | Wrap::Symmetric => {
-                let note = control.spellings().shortest_note;
-                let note = if note.is_empty() { String::new() } else { format!(": {note}") };
-                list.push(format!(
-                    "{letter} rolls over, and the control moves it to every angle by the shortest path{note}"
-                ));
-            }
-            Wrap::Sign => {
-                list.push(format!("{letter} rolls over, and the control rotates it in the direction of the sign"))
-            }
-        }
-    }
+    list.extend(config.motion.rotaries.wrap.iter().map(|(letter, wrap)| rolling_over(control, *letter, *wrap)));
     for tool in &survey.tools {
         let number = tool.call.number;
         if gauge_length_mm(tool, config).is_none() {
@@ -186,6 +159,32 @@ pub(crate) fn assumptions(
         }
     }
     list
+}
+
+/// Spindles that the CL data leaves to the configuration.
+fn assumed_spindles(config: &Config, survey: &Survey) -> impl Iterator<Item = String> {
+    survey.tools.iter().filter(|tool| tool.spindle_assumed).filter_map(|tool| {
+        let (number, defaults) = (tool.call.number, &config.motion.defaults);
+        let given = config.set_up.tools.get(&number);
+        let speed = given.and_then(|tool| tool.speed_rev_per_min).or(defaults.speed_rev_per_min)?;
+        let sense = match given.and_then(|tool| tool.rotation).or(defaults.rotation)? {
+            Rotation::Clockwise => "CLW",
+            Rotation::CounterClockwise => "CCLW",
+        };
+        Some(format!("spindle of T{number} from the configuration where the CL data has none: S{speed} {sense}"))
+    })
+}
+
+/// How the control moves an axis whose words are reduced to one revolution.
+fn rolling_over(control: &dyn Control, letter: char, wrap: Wrap) -> String {
+    match wrap {
+        Wrap::Positive | Wrap::Symmetric => {
+            let note = control.spellings().shortest_note;
+            let note = if note.is_empty() { String::new() } else { format!(": {note}") };
+            format!("{letter} rolls over, and the control moves it to every angle by the shortest path{note}")
+        }
+        Wrap::Sign => format!("{letter} rolls over, and the control rotates it in the direction of the sign"),
+    }
 }
 
 /// Settings of the set-up that differ from the plain case, one sentence each.

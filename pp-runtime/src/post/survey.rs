@@ -194,29 +194,59 @@ struct Surveyor {
     selection: SelectedOperations,
     /// Tool axis in the workpiece with all rotary axes at zero.
     tool_axis: UnitVector3<f64>,
-    /// Tools called so far, by number; for those that have moved their index in `survey.tools`.
-    called_so_far: BTreeMap<u32, Option<usize>>,
-    call: Option<ToolCall>,
+    calls: CalledTools,
+    stretch: PresentStretch,
+    /// In the first set-up: the blank is in its coordinates.
+    first_set_up: bool,
+    /// The tool axis has pointed down in every feed motion; `None` before the first.
+    cuts_down: Option<bool>,
+}
+
+/// Calls of tools so far.
+#[derive(Debug)]
+struct CalledTools {
+    /// By number; for tools that have moved their index in `survey.tools`.
+    so_far: BTreeMap<u32, Option<usize>>,
+    last: Option<ToolCall>,
     /// CUTCOM requests compensation.
     compensates: bool,
     /// Index of the current tool in `survey.tools`, once it has moved.
-    tool: Option<usize>,
+    current: Option<usize>,
     /// The spindle has been programmed for the current tool.
     spindle: bool,
     /// No motion since the end of the last operation.
     between: bool,
     /// A tool has been called and there was no motion since.
     called: bool,
-    /// Number of the current stretch; whether it has cuts, and whether the tool axis turns in one of them.
-    stretch: u64,
+}
+
+/// The stretch that is being surveyed.
+#[derive(Debug, Default)]
+struct PresentStretch {
+    number: u64,
+    /// It has cuts.
     cuts: bool,
+    /// The tool axis turns in a cut.
     turning: bool,
     /// It turns in the stretch before, in the same operation.
     turned_before: bool,
-    /// In the first set-up: the blank is in its coordinates.
-    first_set_up: bool,
-    /// The tool axis has pointed down in every feed motion; `None` before the first.
-    cuts_down: Option<bool>,
+}
+
+impl PresentStretch {
+    /// Counts the stretch, which ends.
+    fn end(&mut self, stretches: &mut Stretches) {
+        match (std::mem::take(&mut self.cuts), std::mem::take(&mut self.turning)) {
+            (true, true) => {
+                stretches.turning += 1;
+                stretches.linked += u64::from(std::mem::replace(&mut self.turned_before, true));
+            }
+            (true, false) => {
+                stretches.held += 1;
+                self.turned_before = false;
+            }
+            (false, _) => {}
+        }
+    }
 }
 
 impl Surveyor {
@@ -225,24 +255,23 @@ impl Surveyor {
             survey: Survey::default(),
             selection: SelectedOperations::of(select),
             tool_axis,
-            called_so_far: BTreeMap::new(),
-            call: None,
-            compensates: false,
-            tool: None,
-            spindle: false,
-            between: true,
-            called: false,
-            stretch: 0,
-            cuts: false,
-            turning: false,
-            turned_before: false,
+            calls: CalledTools {
+                so_far: BTreeMap::new(),
+                last: None,
+                compensates: false,
+                current: None,
+                spindle: false,
+                between: true,
+                called: false,
+            },
+            stretch: PresentStretch::default(),
             first_set_up: true,
             cuts_down: None,
         }
     }
 
     fn finish(mut self) -> Survey {
-        self.end_stretch();
+        self.stretch.end(&mut self.survey.stretches);
         self.note_change();
         self.survey.upside_down = self.cuts_down == Some(true);
         self.survey.selected = self.selection.numbers(self.survey.operations);
@@ -286,7 +315,7 @@ impl Surveyor {
             }
             ItemAction::Record { event, between } => {
                 self.record(item.at, event);
-                self.between |= between;
+                self.calls.between |= between;
             }
         }
     }
@@ -306,7 +335,7 @@ impl Surveyor {
     }
 
     fn record(&mut self, at: Location, event: &Event<'_>) {
-        if self.called && event.writes_block() {
+        if self.calls.called && event.writes_block() {
             self.note_change();
         }
         match *event {
@@ -319,17 +348,17 @@ impl Surveyor {
             Event::NewStart(NewStart::Tool(call @ ToolCall { number: 0, .. })) => {
                 // A tool that was called and has not moved never comes into the spindle.
                 self.survey.empties_spindle = true;
-                (self.call, self.called, self.tool) = (Some(call), true, None);
+                (self.calls.last, self.calls.called, self.calls.current) = (Some(call), true, None);
             }
             Event::NewStart(NewStart::Tool(call)) => self.call_tool(at, call),
-            Event::Function(MachineFunction::Spindle(Spindle::On { .. })) => self.spindle = true,
+            Event::Function(MachineFunction::Spindle(Spindle::On { .. })) => self.calls.spindle = true,
             Event::Interruption(Interruption::BlockSkip { .. }) => self.survey.skips = true,
             Event::NewStart(NewStart::SetUp(number)) => {
                 self.first_set_up = number == 1;
                 self.survey.set_ups.insert(number);
             }
             Event::Function(MachineFunction::Compensation(asked)) => {
-                self.compensates = asked.side != CutterSide::Off;
+                self.calls.compensates = asked.side != CutterSide::Off;
                 self.note_compensation();
             }
             Event::Motion(_)
@@ -342,25 +371,25 @@ impl Surveyor {
     }
 
     fn call_tool(&mut self, at: Location, call: ToolCall) {
-        if self.called_so_far.len() < MOST_TOOLS {
-            self.called_so_far.entry(call.number).or_default();
-        } else if !self.called_so_far.contains_key(&call.number) && self.survey.diagnostics.is_empty() {
+        if self.calls.so_far.len() < MOST_TOOLS {
+            self.calls.so_far.entry(call.number).or_default();
+        } else if !self.calls.so_far.contains_key(&call.number) && self.survey.diagnostics.is_empty() {
             self.survey.diagnostics.push(too_many_tools(at));
         }
-        if self.call.is_none_or(|before| before.number != call.number) {
+        if self.calls.last.is_none_or(|before| before.number != call.number) {
             // A SPINDL before the first tool call of an operation counts for that tool.
-            self.spindle &= self.between && !self.called;
+            self.calls.spindle &= self.calls.between && !self.calls.called;
         }
-        self.called = true;
-        self.call = Some(call);
+        self.calls.called = true;
+        self.calls.last = Some(call);
         self.note_compensation();
-        self.tool = None;
+        self.calls.current = None;
     }
 
     /// Notes that the tool may cut with cutter compensation.
     fn note_compensation(&mut self) {
-        if let Some(call) = self.call.filter(|_| self.compensates)
-            && self.called_so_far.contains_key(&call.number)
+        if let Some(call) = self.calls.last.filter(|_| self.calls.compensates)
+            && self.calls.so_far.contains_key(&call.number)
         {
             self.survey.compensated.insert(call.number);
         }
@@ -369,44 +398,29 @@ impl Surveyor {
     /// Notes the begin of a motion, which may be the first of an operation or of a stretch.
     #[inline(always)]
     fn begin(&mut self, index: MotionIndex) {
-        if index.stretch != self.stretch {
-            self.end_stretch();
-            self.stretch = index.stretch;
+        if index.stretch != self.stretch.number {
+            self.stretch.end(&mut self.survey.stretches);
+            self.stretch.number = index.stretch;
         }
-        self.turning |= index.rotates_axis;
-        self.called = false;
-        self.between = false;
+        self.stretch.turning |= index.rotates_axis;
+        self.calls.called = false;
+        self.calls.between = false;
         if index.begins != Begins::Nothing {
             self.begin_operation(index.operation);
         }
     }
 
-    fn end_stretch(&mut self) {
-        let stretches = &mut self.survey.stretches;
-        match (std::mem::take(&mut self.cuts), std::mem::take(&mut self.turning)) {
-            (true, true) => {
-                stretches.turning += 1;
-                stretches.linked += u64::from(std::mem::replace(&mut self.turned_before, true));
-            }
-            (true, false) => {
-                stretches.held += 1;
-                self.turned_before = false;
-            }
-            (false, _) => {}
-        }
-    }
-
     fn begin_operation(&mut self, number: u64) {
         self.survey.operations = number;
-        self.turned_before = false;
+        self.stretch.turned_before = false;
         self.selection.begin(number);
-        let call = self.call.filter(|_| self.selection.holds(number));
-        self.tool = call.and_then(|call| {
-            let known_index = self.called_so_far.get_mut(&call.number)?;
+        let call = self.calls.last.filter(|_| self.selection.holds(number));
+        self.calls.current = call.and_then(|call| {
+            let known_index = self.calls.so_far.get_mut(&call.number)?;
             Some(self.survey.tool(call, known_index))
         });
         self.note_change();
-        if let Some(index) = self.tool {
+        if let Some(index) = self.calls.current {
             self.survey.tools[index].operations += 1;
         }
     }
@@ -414,7 +428,7 @@ impl Surveyor {
     /// The tool that has been called last comes into the spindle.
     fn note_change(&mut self) {
         let order = &mut self.survey.order;
-        if let Some(call) = self.call.filter(|call| order.last() != Some(&call.number))
+        if let Some(call) = self.calls.last.filter(|call| order.last() != Some(&call.number))
             && order.len() < MOST_CHANGES
         {
             order.push(call.number);
@@ -430,19 +444,19 @@ impl Surveyor {
 
     /// Box around the tip positions at feed of the current tool so far, if those of this set-up belong to it.
     fn cuts_so_far(&self) -> Option<[[f64; 3]; 2]> {
-        self.survey.tools[self.tool?].cuts_mm.filter(|_| self.first_set_up)
+        self.survey.tools[self.calls.current?].cuts_mm.filter(|_| self.first_set_up)
     }
 
     /// Notes a motion of the tip within a box (lowest and highest corner, mm). `cuts`: at feed.
     #[inline(always)]
     fn moved(&mut self, cuts: bool, [lowest, highest]: [[f64; 3]; 2], pose: &Pose) {
         if cuts {
-            self.cuts = true;
+            self.stretch.cuts = true;
             if self.cuts_down != Some(false) {
                 self.cuts_down = Some(pose.axis.dot(&self.tool_axis) < 0.0);
             }
         }
-        if let Some(index) = self.tool {
+        if let Some(index) = self.calls.current {
             let tool = &mut self.survey.tools[index];
             let (low, high) = tool.tip_z_mm.unwrap_or((lowest[2], highest[2]));
             tool.tip_z_mm = Some((smaller(lowest[2], low), larger(highest[2], high)));
@@ -453,7 +467,7 @@ impl Surveyor {
                         (smaller(lowest[index], lower[index]), larger(highest[index], upper[index]));
                 }
             }
-            tool.spindle_assumed |= cuts && !self.spindle;
+            tool.spindle_assumed |= cuts && !self.calls.spindle;
         }
     }
 }

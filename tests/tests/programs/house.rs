@@ -49,7 +49,6 @@ const LONG_FUNCTIONS: &[(&str, usize)] = &[
     ("pp-runtime/src/check/read/flow/mod.rs: execute", 99),
     ("pp-runtime/src/check/read/language/texts.rs: text", 93),
     ("pp-runtime/src/check/read/machine/modes.rs: set", 106),
-    ("pp-runtime/src/check/read/state.rs: join", 83),
     ("pp-runtime/src/cl/meaning/arc.rs: normal_and_angle", 83),
     ("pp-runtime/src/cli/posting.rs: run", 94),
     ("pp-runtime/src/cli/simulate/mod.rs: run", 90),
@@ -57,7 +56,6 @@ const LONG_FUNCTIONS: &[(&str, usize)] = &[
     ("pp-runtime/src/control/encode/mod.rs: encode", 84),
     ("pp-runtime/src/control/fit.rs: unsupported", 138),
     ("pp-runtime/src/control/lacking.rs: take_out_lacking", 81),
-    ("pp-runtime/src/post/header.rs: assumptions", 91),
     ("pp-runtime/src/simulate/removal/stock.rs: cut", 94),
     ("pp-runtime/src/simulate/removal/sweep.rs: enter", 108),
     ("pp-runtime/src/transformation/linuxcnc/component.rs: component", 146),
@@ -70,7 +68,6 @@ const LONG_FUNCTIONS: &[(&str, usize)] = &[
 
 /// Modules of one folder that use each other in a circle.
 const CIRCLES: &[&[&str]] = &[
-    &["cl::events", "cl::reader"],
     // The table of words names the functions that read them, and two of these ask it for words.
     &["cl::record::comment", "cl::record::vocabulary", "cl::record::words"],
     &["cli::posting", "cli::simulate", "cli::view"],

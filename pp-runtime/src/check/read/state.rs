@@ -342,6 +342,15 @@ pub(in crate::check) struct WordsFrame {
     dynamic_offset: bool,
 }
 
+/// Takes the values out of fields in which a state differs from another one.
+macro_rules! keep_equal {
+    ($other:ident; $($field:ident),*) => {
+        $(if *$field != $other.$field {
+            *$field = None;
+        })*
+    };
+}
+
 impl State {
     /// Whether cutter compensation is on.
     pub(super) fn compensates(&self) -> bool {
@@ -399,32 +408,13 @@ impl State {
             settled,
             lost_at,
         } = self;
-        keep(tool, &other.tool);
-        keep(selected, &other.selected);
-        keep(length, &other.length);
-        keep(diameter, &other.diameter);
-        keep(radius_delta_mm, &other.radius_delta_mm);
+        keep_equal!(other; tool, selected, length, diameter, radius_delta_mm, units, incremental, absolute_centres, plane, spindle, speed, coolant, side, feed_mode, feed, in_plane, in_workpiece, vector, to_initial, smoothing_angle_rad);
         // Cancelled in one of the two, it may be cancelled.
         *cancelled_offset = work_offset.or(*cancelled_offset);
         keep(cancelled_offset, &other.work_offset.or(other.cancelled_offset));
         keep(work_offset, &other.work_offset);
         *cancelled_offset = cancelled_offset.filter(|_| work_offset.is_none());
-        keep(units, &other.units);
-        keep(incremental, &other.incremental);
-        keep(absolute_centres, &other.absolute_centres);
-        keep(plane, &other.plane);
-        keep(spindle, &other.spindle);
-        keep(speed, &other.speed);
-        keep(coolant, &other.coolant);
-        keep(side, &other.side);
         *side_unknown |= other.side_unknown;
-        keep(feed_mode, &other.feed_mode);
-        keep(feed, &other.feed);
-        keep(in_plane, &other.in_plane);
-        keep(in_workpiece, &other.in_workpiece);
-        keep(vector, &other.vector);
-        keep(to_initial, &other.to_initial);
-        keep(smoothing_angle_rad, &other.smoothing_angle_rad);
         // What is not known here is the mode after switching on.
         if *path_mode != other.path_mode {
             *path_mode = Some(PathMode::ExactPath);
