@@ -294,7 +294,8 @@ fn circles(source: &Path) -> BTreeMap<Vec<String>, BTreeSet<String>> {
                     used.flat_map(|(_, items)| items.clone()).collect::<Vec<_>>()
                 };
                 let items = circle.iter().flat_map(between).collect();
-                let names = circle.iter().map(|name| [folder, &[name.clone()]].concat().join("::")).collect();
+                let names =
+                    circle.iter().map(|name| [folder, std::slice::from_ref(name)].concat().join("::")).collect();
                 circles.insert(names, items);
             }
         }
