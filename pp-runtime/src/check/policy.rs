@@ -19,12 +19,10 @@
 
 use std::collections::BTreeMap;
 
+use super::read::{Effect, Family, OwnPlace, RolloverRule};
 use crate::cl::ReadingOptions;
 use crate::program::{Clearance, Coolants, Rotation, Units};
 use crate::set_up::SetUp;
-
-use super::read::{Effect, Family, OwnPlace};
-use crate::check::read::RolloverRule;
 
 /// Meaning of the words of a program, the motion between cuts, and the tolerances of a check.
 #[derive(Debug, Clone)]

@@ -1,26 +1,24 @@
 //! Fit of a configuration to a control: settings that the control does not support and a program is not safe without, and the
 //! functions that the planner may use (the [`Abilities`] of `motion`).
 
-use crate::keys::list;
-use crate::kinematics::{AnyMachine, Side};
-use crate::motion::{
-    self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PlaneAbility, Registers, StretchMode, ThreadFeed,
-    TipAbility, TipStart, Transition, UnusedCycles, UsableModes, Wrap, rotaries_of,
-};
-use crate::program::{Coolant, Units};
-use crate::set_up::LengthMode;
-
 use super::dialects::{
-    ArcCentre, Control, CycleCodes, CycleForm, LengthCall, LinearRapids, PlaneGuard, RadiusGuard, RetractForm,
-    STANDARD_M, Spellings, ThreadCodes, TipControlCodes,
+    ArcCentre, Control, ControlFunction, CycleCodes, CycleForm, LengthCall, LinearRapids, PlaneGuard, RadiusGuard,
+    RetractForm, STANDARD_M, Spellings, ThreadCodes, TipControlCodes,
 };
 use super::foreign::of_another_control;
 use super::mill_turn::ToolSpindle;
 use super::options::{Demands, PlaneBy, RetractMethod};
 use super::state_values::ControlState;
 use super::template::{self, OF_TOOL};
-use crate::control::ControlFunction;
+use crate::keys::list;
+use crate::kinematics::{AnyMachine, Side};
 use crate::motion::tolerances::INDEX_STEP_NOISE;
+use crate::motion::{
+    self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PlaneAbility, Registers, StretchMode, ThreadFeed,
+    TipAbility, TipStart, Transition, UnusedCycles, UsableModes, Wrap, rotaries_of,
+};
+use crate::program::{Coolant, Units};
+use crate::set_up::LengthMode;
 
 /// Largest number of characters of a tool name.
 const LONGEST_TOOL_NAME: usize = 32;

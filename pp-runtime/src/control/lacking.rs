@@ -5,12 +5,10 @@
 //! control cannot have. What a program is not safe without is refused by [`unfit`](super::unfit): a work offset, an axis name,
 //! a length that would be active, a program number with more digits than the control stores, blocks that it cannot read.
 
-use crate::motion::{OperationTable, PathNorm, Smoothing};
-
-use super::dialects::{Control, Spellings};
+use super::dialects::{Control, ControlFunction, Spellings};
 use super::options::{BlockNumbers, ControlOptions, Messages};
 use super::state_values::ControlState;
-use crate::control::ControlFunction;
+use crate::motion::{OperationTable, PathNorm, Smoothing};
 
 /// Takes the settings that the control lacks out of the options. Returns one sentence each: the setting, and what the program
 /// has instead.

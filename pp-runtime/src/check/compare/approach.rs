@@ -10,7 +10,6 @@ use super::super::read::{Block, TipControl};
 use super::super::rules::{FrameUse, ModalContext};
 use super::obligations::{Duty, DutyEvent, DutyPlace, Station};
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
-
 use super::{Comparison, Current, parking, retract};
 use crate::check::tolerances::{ALONG_PLANE_NORMAL, BOTH, COMES_BACK};
 

@@ -35,6 +35,16 @@ mod station;
 use std::io;
 use std::rc::Rc;
 
+use clear::KeepOut;
+use contour::ContourState;
+use cutting::MOST_NEEDLESS;
+use functions::FunctionState;
+use obligations::{Duties, DutyEvent, Station};
+use phase::{Phase, Task};
+use progress::ClProgress;
+use restarts::Restarts;
+use shop_lines::ShopLines;
+
 use super::Checked;
 use super::expect::{Expect, ExpectedAction, ExpectedItem, Required};
 use super::geometry::ToolPose;
@@ -44,21 +54,11 @@ use super::report::{ShownBlock, Tally};
 use super::rules::{ModalContext, OffsetsInForce, Rules, StateFault, StateItem, chord};
 use super::stream::{ExecutedBlock, Observer};
 use super::travel::{Findings, Travel};
-use crate::check::compare::obligations::Station;
 use crate::check::tolerances::BOTH;
 use crate::cl::ClEvents;
 use crate::kinematics::AnyMachine;
 use crate::program::{Location, Rotation, Units};
 use crate::shortcut::Shortcut;
-use clear::KeepOut;
-use contour::ContourState;
-use cutting::MOST_NEEDLESS;
-use functions::FunctionState;
-use obligations::{Duties, DutyEvent};
-use phase::{Phase, Task};
-use progress::ClProgress;
-use restarts::Restarts;
-use shop_lines::ShopLines;
 
 /// Blocks after which it is decided which of two meanings a block had: it has been seen where the program goes on.
 const DECIDED: u32 = 48;

@@ -3,7 +3,7 @@
 //! Lengths are mm and angles rad, whatever the unit of the program; levels and centres count as the words of the program
 //! do. Nothing in here knows a machine or CL data.
 
-use crate::check::read::MAX_AXES;
+use super::state::MAX_AXES;
 use crate::program::{Rotation, Units};
 
 pub(super) use super::state::settled;

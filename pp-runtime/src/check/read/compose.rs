@@ -19,16 +19,15 @@
 
 use super::block::{OwnPlace, PathMode, PathSmoothing, WorkOffset, coolant, settled};
 use super::facts::LineForm;
-use super::frames;
 use super::language::{Address, CodeRow, Means, PathCode, Plane, Smoother, group, has_letter};
 use super::line::Line;
-use super::orders::{Act, ArcWords, CannedWords, Code, LengthCode, ModeOrder, MotionOrder, TiltCode, WrittenAxisWords};
+use super::orders::{
+    Act, ArcWords, CannedWords, Code, LengthCode, Letters, ModeOrder, MotionOrder, Pattern, TiltCode, WrittenAxisWords,
+};
 use super::own::OwnText;
 use super::text::{Number, shown, whole};
 use super::words::{Coded, Counts, Word};
-use crate::check::read::RolloverRule;
-use crate::check::read::orders::Letters;
-use crate::check::read::orders::Pattern;
+use super::{RolloverRule, frames};
 use crate::program::{Rotation, Units};
 
 /// Least increment of mm and degrees, and of inches.

@@ -9,8 +9,7 @@ use super::block::{
     BlankPart, BlockFault, CycleKind, FeedMode, FineBore, Guard, PathMode, PathSmoothing, RotaryGuard, SideOfPath,
     WorkOffset, WorkPlane, settled,
 };
-
-use crate::check::read::MAX_AXES;
+use super::state::MAX_AXES;
 use crate::program::{Rotation, Units};
 
 /// Declared effects of lines of the user, as bits.

@@ -1,8 +1,8 @@
 //! Words and codes of one line, each of which is taken once.
 
 use super::language::{Address, CodeRow, has_letter};
+use super::orders::Letters;
 use super::text::Number;
-use crate::check::read::orders::Letters;
 
 /// How the value of a word counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -6,9 +6,8 @@
 //! a part of the gauge length only, so it is not used. In NCL the second number is the length: without a CAM system that is
 //! known, a configuration states the meaning.
 
-use super::options::ReadingOptions;
+use super::options::{ReadingOptions, ToolArg};
 use crate::cl::dialect::Dialect;
-use crate::cl::meaning::options::ToolArg;
 use crate::cl::record::ToolCallRecord;
 use crate::cl::text::{ClFault, Span};
 

@@ -1,8 +1,6 @@
 //! Statements to which the user gives a meaning: words declared inert, and statements of the shop.
 
-use super::words::has_numbers_of_a_frame;
-use super::words::major_word;
-use super::words::{Handling, is_word, look_up};
+use super::words::{Handling, has_numbers_of_a_frame, is_word, look_up, major_word};
 use crate::program::{BlockPlace, is_nc_text};
 
 /// Word of a cycle at which a probe measures.

@@ -3,10 +3,8 @@
 //! [`Args`] returns them from left to right, and names their major word in messages. An empty place between commas is
 //! an error unless the argument has no effect, and so is an argument that the record does not take: see [`Args::finish`].
 
+use super::blanks::{is_blank, skip_blanks};
 use super::fault::{ClFault, Span, quoted};
-
-use super::blanks::is_blank;
-use super::blanks::skip_blanks;
 use super::number::{number_at_start, whole_number};
 
 /// One argument without the blanks around it; never empty.

@@ -10,15 +10,15 @@
 //! A statement on one line is a slice of the read buffer; a joined one is copied to a second buffer, with a list of the
 //! lines that its pieces come from. Both buffers are reused. Nothing is interpreted here.
 
-use super::blanks::is_blank;
-use super::blanks::skip_blanks;
+use std::io::{self, Read};
+
+use memchr::{memchr, memchr2};
+
+use super::blanks::{is_blank, skip_blanks};
 use super::fault::Span;
-use super::line_shape::ShortNumbers;
-use super::line_shape::{LINE_AND_NUMBER, LineShape};
+use super::line_shape::{LINE_AND_NUMBER, LineShape, ShortNumbers};
 use super::number::ShortNumber;
 use crate::program::Location;
-use memchr::{memchr, memchr2};
-use std::io::{self, Read};
 
 /// Number of bytes requested from the input at once.
 const CHUNK: usize = 256 * 1024;

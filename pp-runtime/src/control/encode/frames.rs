@@ -3,15 +3,14 @@
 
 use std::io;
 
+use super::modal_state::{After, LengthState};
+use super::modal_writer::ModalWriter;
 use crate::control::ControlFunction;
 use crate::control::dialects::Cancel;
 use crate::control::layout::Layout;
 use crate::control::options::BlockNumbers;
 use crate::motion::PoseRule;
 use crate::nc::Decimal;
-
-use super::modal_state::{After, LengthState};
-use super::modal_writer::ModalWriter;
 
 /// Writes the blocks that change the frame: those of the configuration, or those of the control.
 #[derive(Debug)]

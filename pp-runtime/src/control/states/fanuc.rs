@@ -1,10 +1,9 @@
 //! States of Fanuc 30i and related controls.
 
-use super::Settled;
+use super::super::dialects::ControlFunction;
 use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated, StatedUnless};
 use super::StateUse::{Compensation, Cycles, Every, Planes, Rotary, TipControl};
-use super::{LENGTH, StateRow, state};
-use crate::control::ControlFunction;
+use super::{LENGTH, Settled, StateRow, state};
 
 const CODES: &str = "B-63944EN/02 (2004), list of G codes";
 const OPTION: &str = "without the option its code raises an alarm";

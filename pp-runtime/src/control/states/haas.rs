@@ -1,10 +1,9 @@
 //! States of the Haas NGC.
 
-use super::Settled;
+use super::super::dialects::ControlFunction;
 use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated, StatedUnless};
 use super::StateUse::{Compensation, Cycles, Every, Kinematics, Planes, Rotary, TipControl};
-use super::{LENGTH, StateRow, state};
-use crate::control::ControlFunction;
+use super::{LENGTH, Settled, StateRow, state};
 
 const CODES: &str = "mill manual 96-8000, G codes";
 const SETTINGS: &str = "mill operator's manual (NGC, 2017), p. 375 to 400, settings";

@@ -1,9 +1,9 @@
 //! States of Heidenhain TNC.
 
+use super::super::dialects::ControlFunction;
 use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated};
 use super::StateUse::{Compensation, Every, Planes, Rotary, TipControl};
 use super::{LENGTH, StateRow, state};
-use crate::control::ControlFunction;
 
 const MANUAL: &str = "iTNC 530 and TNC 640 user's manuals";
 const M_FUNCTIONS: &str = "overview of the M functions in the manuals of the iTNC 530";

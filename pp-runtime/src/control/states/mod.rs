@@ -16,11 +16,10 @@ mod tests;
 
 use std::io::{self, Write};
 
-use super::dialects::{Control, Spellings};
+use super::dialects::{Control, ControlFunction, Spellings};
 use super::layout::FramesUsed;
 use super::options::ControlOptions;
 use super::state_values::ControlState;
-use crate::control::ControlFunction;
 
 /// A state.
 #[derive(Debug, Clone, Copy)]

@@ -1,10 +1,9 @@
 //! States of Siemens 840D.
 
-use super::Settled;
+use super::super::dialects::ControlFunction;
 use super::StateHandling::{Compared, InWord, Noted, Set, SetWhere, Stated, StatedUnless};
 use super::StateUse::{Compensation, Every, Kinematics, Planes, Rotary};
-use super::{LENGTH, StateRow, state};
-use crate::control::ControlFunction;
+use super::{LENGTH, Settled, StateRow, state};
 
 const GROUPS: &str = "Fundamentals 05/2017 (A5E40869423), Tables: G functions";
 const FRAMES: &str = "NC programming 12/2019 (6FC5398-2EP40-0BA0), p. 631";

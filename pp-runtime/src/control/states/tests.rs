@@ -1,10 +1,9 @@
 //! Rows of the table, their reasons, and what the check asks for beside them.
 
 use super::{ProgramUses, StateHandling, conditions, from_memory, of};
-use crate::control::ControlFunction;
 use crate::control::layout::FramesUsed;
 use crate::control::options::ControlOptions;
-use crate::control::{CONTROLS, MillTurn, ToolSpindle};
+use crate::control::{CONTROLS, ControlFunction, MillTurn, ToolSpindle};
 
 /// Most rows of a control that are from memory.
 const MOST_FROM_MEMORY: usize = 8;

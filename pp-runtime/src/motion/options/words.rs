@@ -2,11 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use super::keys::{CLAMP, ClampCodes, GRID, WRAP, Wrap};
 use crate::keys::{OneOf, YesNo, options};
-
-use super::keys::ClampCodes;
-use super::keys::Wrap;
-use super::keys::{CLAMP, GRID, WRAP};
 
 /// Meaning of the words of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -5,9 +5,7 @@
 //! straight path is removed, so that one contact is one finding. At rapid, with the spindle off, and for shank and holder the
 //! tool is taken smaller by [`TOUCH_MM`]: it may slide along what it has cut.
 
-use super::outcome::EPS_MM;
-use super::outcome::TOUCH_MM;
-use super::outcome::{Contacting, FoundContact, SimulationOutcome, Size, What};
+use super::outcome::{Contacting, EPS_MM, FoundContact, SimulationOutcome, Size, TOUCH_MM, What};
 use super::recording::Recording;
 use super::set_ups::{PartPlaces, moved};
 use crate::check::read::SideOfPath;

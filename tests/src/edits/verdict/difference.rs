@@ -1,12 +1,12 @@
 //! Difference between two blocks.
 
-use super::name_of;
-use super::{Allowed, Event};
+use Difference::{Hard, Soft};
+
+use super::{Allowed, Event, name_of};
 use crate::foreign::axes::{Axes, LETTERS, is_rotary};
 use crate::foreign::state::{Compensation, Cycle, CycleKind, Length, PathMode, Plane, SMOOTHING, State, TiltedPlane};
 use crate::foreign::trace::{Arc, Hole};
 use crate::foreign::{Effect, Feed};
-use Difference::{Hard, Soft};
 
 /// Largest change of the tool axis in a rotation about it, near the pole: the control may choose such rotations.
 const NEARLY: f64 = 1e-3;

@@ -1,10 +1,10 @@
 //! The rows: what a program owes after an event, and what must be so at each place to which it comes.
 
-use crate::check::policy::CheckPolicy;
-use crate::check::policy::LinkPolicy;
+use std::collections::BTreeMap;
+
+use crate::check::policy::{CheckPolicy, LinkPolicy};
 use crate::check::read::OwnPlace;
 use crate::check::rules::Rules;
-use std::collections::BTreeMap;
 
 /// What changes what a program owes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

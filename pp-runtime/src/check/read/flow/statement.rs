@@ -3,8 +3,7 @@
 use super::super::facts::LineForm;
 use super::super::text::{Cursor, whole};
 use super::expression::Expression;
-use super::variables::Value;
-use super::variables::{Variable, Variables};
+use super::variables::{Value, Variable, Variables};
 
 /// Name of a label, a loop or a subprogram.
 pub(super) type Label = Vec<u8>;

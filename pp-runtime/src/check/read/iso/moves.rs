@@ -2,10 +2,9 @@
 
 use super::super::language::{Address, letters};
 use super::super::machine::Interpreter;
+use super::super::orders::Letters;
 use super::super::text::{Cursor, Number, whole};
-use super::super::{Moves, Vocabulary};
-use crate::check::read::MAX_AXES;
-use crate::check::read::orders::Letters;
+use super::super::{MAX_AXES, Moves, Vocabulary};
 
 /// Meaning of the first byte of a word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,10 +1,8 @@
 //! Fanuc 30i and its kin.
 
 use super::super::block::{coolant, settled};
-use super::super::orders::LengthCode;
-use super::group;
-use super::{CodeRow, Language, Means, Plane, Smoother, iso, sorted};
-use crate::check::read::orders::Pattern;
+use super::super::orders::{LengthCode, Pattern};
+use super::{CodeRow, Language, Means, Plane, Smoother, group, iso, sorted};
 
 const M: &str = "Fanuc B-63944EN/02 (2004), auxiliary functions; the machine builder's list of M codes (from memory)";
 

@@ -1,10 +1,8 @@
 //! Haas NGC.
 
 use super::super::block::{coolant, settled};
-use super::super::orders::LengthCode;
-use super::group;
-use super::{CodeRow, Language, Means, Plane, Smoother, iso, sorted};
-use crate::check::read::orders::Pattern;
+use super::super::orders::{LengthCode, Pattern};
+use super::{CodeRow, Language, Means, Plane, Smoother, group, iso, sorted};
 
 const G: &str = "Haas 96-8000 (mill operator's manual), G codes; haascnc.com, page of the code";
 const UMC: &str = "Haas UMC manual; haascnc.com, page of the code";

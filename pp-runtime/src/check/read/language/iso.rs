@@ -1,10 +1,8 @@
 //! Rows that LinuxCNC, Fanuc and Haas share, and address letters.
 
 use super::super::block::{FeedMode, SideOfPath, WorkPlane, coolant};
-use super::super::orders::{Code, LengthCode};
-use super::group;
-use super::{Address, CodeRow, Means, PathCode, StatementWord};
-use crate::check::read::orders::Pattern;
+use super::super::orders::{Code, LengthCode, Pattern};
+use super::{Address, CodeRow, Means, PathCode, StatementWord, group};
 use crate::program::{Rotation, Units};
 
 /// The chapters that list these codes. A difference between the controls is in the table of the control.

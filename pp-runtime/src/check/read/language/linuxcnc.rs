@@ -1,10 +1,8 @@
 //! LinuxCNC.
 
 use super::super::block::{coolant, settled};
-use super::super::orders::Code;
-use super::group;
-use super::{CodeRow, Language, Means, PathCode, StatementWord, iso, sorted};
-use crate::check::read::orders::Pattern;
+use super::super::orders::{Code, Pattern};
+use super::{CodeRow, Language, Means, PathCode, StatementWord, group, iso, sorted};
 
 const G: &str = "LinuxCNC 2.9 G-code documentation";
 const ORDERS: &str = "LinuxCNC 5c41560 (2026), interp_convert.cc, convert_comment";

@@ -1,8 +1,7 @@
 //! Meanings of codes and words: what the interpreter executes, and what the tables print.
 
 use super::super::block::{FeedMode, SideOfPath, WorkPlane};
-use super::super::orders::{Code, LengthCode};
-use crate::check::read::orders::Pattern;
+use super::super::orders::{Code, LengthCode, Pattern};
 use crate::program::{Rotation, Units};
 
 /// Meaning of a code or a word.

@@ -23,8 +23,7 @@ pub(super) use means::{Address, Means, PathCode, Plane, Smoother, StatementWord}
 pub(crate) use print::table;
 
 use super::Family;
-use super::orders::Order;
-use crate::check::read::orders::Letters;
+use super::orders::{Letters, Order};
 
 /// Groups of codes of which a block may hold one, by number.
 pub(super) mod group {

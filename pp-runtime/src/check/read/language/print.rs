@@ -3,10 +3,9 @@
 use std::io::{self, Write};
 
 use super::super::Family;
+use super::super::orders::Letters;
 use super::arguments::{ArgumentRole, List};
-use super::group;
-use super::{CodeRow, Language};
-use crate::check::read::orders::Letters;
+use super::{CodeRow, Language, group};
 
 /// Names of the columns.
 const HEADS: [&str; 8] = ["spelling", "meaning", "reads", "changes", "moves", "takes", "group", "source"];

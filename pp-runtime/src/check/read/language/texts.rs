@@ -1,9 +1,8 @@
 //! What codes and words mean, in words of the shop: the texts of the printed table.
 
 use super::super::block::{FeedMode, SideOfPath, settled};
-use super::super::orders::{Code, LengthCode};
+use super::super::orders::{Code, LengthCode, Pattern};
 use super::{Address, Means, PathCode, Plane, StatementWord};
-use crate::check::read::orders::Pattern;
 use crate::program::{Rotation, Units};
 
 impl Means {

@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 
 use super::super::block::ArcMove;
 use super::super::orders::ArcWords;
+use super::super::state::MAX_AXES;
 use super::Interpreter;
-use crate::check::read::MAX_AXES;
 use crate::check::tolerances::{EQUAL_RADII, FULL_CIRCLE, RADIUS_BELOW_HALF_CHORD};
 use crate::kinematics::math::hypot;
 use crate::program::Units;

@@ -1,11 +1,9 @@
 //! Holes: of a canned cycle, whose words stay in force until another motion code, of a defined cycle, and of G33.1.
 
 use super::super::block::{Action, BlockFault, CycleKind, CycleMove, FeedMode, FineBore};
-
-use super::super::orders::{CannedWords, Cycle, MotionOrder, WrittenAxisWords, fault};
+use super::super::orders::{CannedWords, Cycle, MotionOrder, Pattern, WrittenAxisWords, fault};
+use super::super::state::MAX_AXES;
 use super::Interpreter;
-use crate::check::read::MAX_AXES;
-use crate::check::read::orders::Pattern;
 use crate::program::Rotation;
 
 /// Words of a canned cycle that stay in force, mm and seconds.

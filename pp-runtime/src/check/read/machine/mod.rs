@@ -8,15 +8,13 @@ mod hole;
 mod modes;
 mod motion;
 
+use hole::Canned;
+
 use super::block::{Action, Block, State, TipControl, stated};
 use super::facts::{Facts, LineForm};
-
-use super::orders::{Act, Code, Cycle, ModeOrder, MotionOrder, Orders, effect, fault};
-use crate::check::read::MAX_AXES;
-use crate::check::read::orders::Letters;
-use crate::check::read::orders::Pattern;
+use super::orders::{Act, Code, Cycle, Letters, ModeOrder, MotionOrder, Orders, Pattern, effect, fault};
+use super::state::MAX_AXES;
 use crate::program::Units;
-use hole::Canned;
 
 /// One axis of the machine as the program names it.
 #[derive(Debug, Clone, PartialEq)]
