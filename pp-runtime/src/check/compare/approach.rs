@@ -122,7 +122,7 @@ impl Comparison<'_> {
         }
         // A cut goes on with the spindle on, and its rotary axes rotate first; at the end it is off before the axes are parked.
         let rotates = step.number == 1 || retracted.step >= 1;
-        let spindle_on = block.state.spindle.flatten().is_some();
+        let spindle_on = block.state.spindle_is_on();
         let continues =
             spindle_on && rotates && retracted.rewind.as_ref().is_some_and(|rewind| rewind.finished.is_some());
         let parks = parks || self.progress.next().is_none() && !continues;

@@ -846,7 +846,7 @@ impl Comparison<'_> {
     pub(super) fn rewind_point(&self, cutting: &Cutting, out: Option<ToolPose>, block: &Block) -> Option<RewindPoint> {
         let here = cutting.here?;
         let continues = self.progress.continues_cut();
-        let on = block.state.coolant.is_some_and(|coolant| coolant != 0);
+        let on = block.state.coolant_is_on();
         // The way back may not have been gone since another retract.
         let wet = !continues && (on || cutting.back.is_some() && cutting.wet_retract);
         let dry = self.rules.policy().links.rewinds_dry;

@@ -134,7 +134,7 @@ impl Comparison<'_> {
             return;
         }
         let before = &self.setters.at_block;
-        if before.spindle.flatten().is_some() || before.coolant.is_some_and(|on| on != 0) {
+        if before.spindle_is_on() || before.coolant_is_on() {
             self.found(current, "the spindle or the coolant is on where blocks end the work of a tool");
         }
         let tool = self.previous.tools.current;
@@ -177,7 +177,7 @@ impl Comparison<'_> {
             return;
         }
         let starts_tool = |place: &OwnPlace| *place != OwnPlace::MeasureTool;
-        let runs = current.block.stated & stated::SPINDLE != 0 && current.block.state.spindle.flatten().is_some();
+        let runs = current.block.stated & stated::SPINDLE != 0 && current.block.state.spindle_is_on();
         // It runs for a dwell of the CL data, and is programmed again.
         let waits = self.functions.waits_with().is_some();
         if runs && !waits && own.places.iter().all(starts_tool) {

@@ -482,8 +482,7 @@ impl Reading<'_> {
             if block.own.is_some() && before != offsets || block.action == Action::ToolChange {
                 comparison.previous.offsets = Some(offsets);
             }
-            comparison.previous.process.runs =
-                state.spindle.flatten().is_some() || state.coolant.is_some_and(|on| on != 0);
+            comparison.previous.process.runs = state.spindle_is_on() || state.coolant_is_on();
         }
         comparison.compared = true;
         Ok(())

@@ -131,7 +131,7 @@ impl Comparison<'_> {
             Duty::Retracted => {
                 return !phase.is_some_and(Phase::is_retracted) || self.duties.owes(Duty::RetractAfterShopLine);
             }
-            Duty::SpindleOff => return before.spindle.flatten().is_some(),
+            Duty::SpindleOff => return before.spindle_is_on(),
             Duty::SpindleStopped => return before.spindle != Some(None),
             Duty::SpindleAndCoolantOff => return self.previous.process.runs,
             Duty::CoolantStated => return unstated(stated::COOLANT),

@@ -131,11 +131,12 @@ impl<'a> ClProgress<'a> {
         self.expect.last_tool()
     }
 
-    /// Spindle state that the last SPINDL before the next item requests.
+    /// Spindle state that another SPINDL before the last one requests.
     pub(super) fn requested_before(&self) -> Option<SpindleState> {
         self.expect.requested_before()
     }
 
+    /// Spindle state that the last SPINDL before the next item requests.
     pub(super) fn requested_spindle(&self) -> Option<Option<SpindleState>> {
         self.expect.requested_spindle()
     }

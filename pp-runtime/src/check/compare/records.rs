@@ -68,7 +68,7 @@ impl Comparison<'_> {
         if !first && phase.is_retracted() {
             self.found(current, "the machine has retracted before this block with which a probe measures");
         }
-        if first && state.spindle.flatten().is_some() {
+        if first && state.spindle_is_on() {
             self.found(current, "the spindle is on where a probe measures");
         } else if self.previous.process.started {
             self.found(current, "the spindle has been switched on where a probe measures");
@@ -223,19 +223,15 @@ impl Comparison<'_> {
     pub(super) fn dwell(&mut self, phase: &mut Phase, seconds: f64, current: &Current<'_>) -> io::Result<()> {
         self.pass_needless(phase)?;
         // The spindle waits first, and a dwell of the CL data may be as long.
-        let spindle = self.rules.policy().links.spindle_dwell_s;
-        let of_spindle = self.previous.process.waits && (spindle - seconds).abs() <= ROUNDED_DWELL;
-        if of_spindle {
+        let links = &self.rules.policy().links;
+        let [of_spindle, drains] =
+            [links.spindle_dwell_s, links.through_dwell_s].map(|dwell_s| (dwell_s - seconds).abs() <= ROUNDED_DWELL);
+        if of_spindle && self.previous.process.waits {
             return Ok(());
         }
-        let drains = self.rules.policy().links.through_dwell_s;
         // A dwell of the spindle may be as long.
-        let stands = current.block.state.spindle.flatten().is_none();
-        if stands
-            && phase.is_retracted()
-            && self.duties.owes(Duty::DrainDwell)
-            && (drains - seconds).abs() <= ROUNDED_DWELL
-        {
+        let stands = !current.block.state.spindle_is_on();
+        if stands && phase.is_retracted() && drains && self.duties.owes(Duty::DrainDwell) {
             self.duties.happens(DutyEvent::Drained);
             return Ok(());
         }
@@ -267,7 +263,7 @@ impl Comparison<'_> {
             return Ok(());
         }
         // The writer may not know that the spindle runs already.
-        if !(self.previous.process.started && (spindle - seconds).abs() <= ROUNDED_DWELL) {
+        if !(of_spindle && self.previous.process.started) {
             self.found(current, &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"));
         }
         Ok(())
@@ -300,7 +296,7 @@ impl Comparison<'_> {
         match self.progress.next() {
             Some(item) if suits(item) => {
                 let off = matches!(self.progress.requested_spindle(), Some(None));
-                if off && current.block.state.spindle.flatten().is_some() {
+                if off && current.block.state.spindle_is_on() {
                     self.found(current, "the spindle is on at this stop, and the CL data has switched it off");
                 }
                 self.compare_tool(current);

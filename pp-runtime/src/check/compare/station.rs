@@ -69,7 +69,7 @@ impl Comparison<'_> {
         match station {
             // At a restart point the tool in the spindle may be changed for itself, before the spindle is on.
             Station::Change => {
-                let again = !self.duties.owes(Duty::CompleteState) && block.state.spindle.flatten().is_none();
+                let again = !self.duties.owes(Duty::CompleteState) && !block.state.spindle_is_on();
                 self.tool_due() != spindle || again
             }
             Station::Measuring => {
@@ -106,7 +106,7 @@ impl Comparison<'_> {
             self.come_to(DutyPlace::Measuring, None, current);
             self.is_at_station(Station::Measuring, current);
             let at = self.as_before(current.block);
-            let runs = at.state.spindle.flatten().is_some();
+            let runs = at.state.spindle_is_on();
             let fault = self.rules.fault_at_measuring(&at, None, self.required_here());
             self.found_state(current, fault);
             if own.places.contains(&OwnPlace::CheckTool) && runs {

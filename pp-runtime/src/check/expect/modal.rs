@@ -453,6 +453,17 @@ impl<'a> ClState<'a> {
         }
     }
 
+    /// The first motion of an operation has come.
+    fn forget_requests(&mut self) {
+        if self.required.requested_spindle.is_some() {
+            let required = self.require();
+            (required.requested_spindle, required.requested_before) = (None, None);
+        }
+        if self.is_selected_here() {
+            self.spindle.after_selected = None;
+        }
+    }
+
     /// The spindle that SPINDL requests after the last selected motion.
     pub(super) fn requested_after_selected(&self) -> Option<Option<SpindleState>> {
         self.spindle.after_selected
@@ -661,12 +672,8 @@ impl<'a> ClState<'a> {
         let feed = motion.feed.map(|feed| if self.in_thread() { feed } else { self.capped(feed) });
         self.push(at, ExpectedAction::Motion(ClMotion { to, shape, rapid: motion.rapid, feed, starts }));
         // A SPINDL after the operation before counts until here.
-        if begins && self.required.requested_spindle.is_some() {
-            let required = self.require();
-            (required.requested_spindle, required.requested_before) = (None, None);
-        }
-        if begins && self.is_selected_here() {
-            self.spindle.after_selected = None;
+        if begins {
+            self.forget_requests();
         }
     }
 

@@ -431,6 +431,16 @@ impl State {
         *clamps_known &= other.clamps_known & !(*clamped ^ other.clamped);
     }
 
+    /// Whether the spindle is known to be on.
+    pub(crate) fn spindle_is_on(&self) -> bool {
+        self.spindle.flatten().is_some()
+    }
+
+    /// Whether coolant is known to be on.
+    pub(crate) fn coolant_is_on(&self) -> bool {
+        self.coolant.is_some_and(|on| on != 0)
+    }
+
     /// Linear words count in a frame: the positions of the axes follow from all words together.
     pub(crate) fn has_frame(&self) -> bool {
         self.tip_control != TipControl::Off || self.tilt.is_some() || self.dynamic_offset

@@ -301,7 +301,7 @@ impl Rules<'_> {
         let context = ModalContext { no_plane: probed.is_none(), ..ModalContext::default() };
         let frame = if probed.is_some() { FrameUse::AsMeant } else { FrameUse::Without };
         let before = &at.state;
-        let wet = before.coolant.is_some_and(|on| on != 0);
+        let wet = before.coolant_is_on();
         self.everywhere(before, SideOfPath::None, context)
             .or_else(|| inverse_time(before))
             .or_else(|| self.frame(at, frame))

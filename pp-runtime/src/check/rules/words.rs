@@ -4,13 +4,12 @@
 //! minus its offset; tip and axis follow through the chain. Under tip control the linear words are the tip itself, in a
 //! frame that is fixed to the table or to the machine. In a tilted plane they are the tip in that plane.
 
-use std::f64::consts::TAU;
-
 use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector3};
 
 use super::super::geometry::{Chain, Swing, ToolPose};
 use super::super::policy::{CheckPolicy, TipFrame};
 use super::super::read::{MAX_AXES, State, TipControl, set_bits};
+use super::apart;
 use crate::check::tolerances::{EQUAL_TOOL_SHARE, EXCURSION};
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::set_up::{LengthMode, ProgramZero};
@@ -417,11 +416,7 @@ impl MachineWords {
         let rotated = |start: [f64; MAX_AXES]| {
             let end = self.rotated_to(&start, to, 0.0)?;
             // The way found may have whole revolutions too many.
-            let rotated = |index: usize| {
-                let way = end[index] - start[index];
-                (way - TAU * (way / TAU).round()).abs()
-            };
-            let rotates = |index: &usize| rotated(*index) > largest_rad;
+            let rotates = |index: &usize| apart(end[*index], start[*index]) > largest_rad;
             Some(self.rotary().filter(rotates).fold(0, |bits, index| bits | 1 << index))
         };
         self.positions(from).filter_map(rotated).reduce(|all, bits| all & bits).unwrap_or(0)
