@@ -65,66 +65,89 @@ const ENGINE: &[(&str, &[&str])] = &[
     ("emit", &["explain", "formula", "model", "solve", "symbolic", "syntax"]),
 ];
 
-/// Modules used by each module of the first level, with a file that uses it.
-type Uses = BTreeMap<String, BTreeMap<String, PathBuf>>;
+/// Modules used by each module of the first level, with a module in it that does.
+type Uses = BTreeMap<String, BTreeMap<String, String>>;
 
-/// Adds the modules of the first level that occur in the paths of `tokens`. `depth`: number of `super` from here to the
-/// root of the crate.
-fn paths(tokens: TokenStream, depth: usize, modules: &BTreeSet<String>, found: &mut BTreeSet<String>) {
-    let tokens: Vec<TokenTree> = without_tests(tokens);
-    let mut at = 0;
-    while at < tokens.len() {
-        if let TokenTree::Group(group) = &tokens[at] {
-            // A `mod name { .. }` in the file is one level deeper.
-            let inner = matches!(&tokens[..at], [.., TokenTree::Ident(word), TokenTree::Ident(_)] if word == "mod");
-            paths(group.stream(), depth + usize::from(inner), modules, found);
-            at += 1;
-            continue;
+/// A path as far as it has been read, from the root of the crate.
+#[derive(Clone)]
+struct PathSoFar<'p> {
+    /// The module that has the path.
+    place: &'p [String],
+    names: Option<Vec<String>>,
+}
+
+impl PathSoFar<'_> {
+    /// The path with another name at its end; `None` above the root.
+    fn with(&self, name: &str) -> Option<Self> {
+        let mut names = match (&self.names, name) {
+            (Some(names), _) => names.clone(),
+            (None, "crate" | "pp_runtime" | "pp_codegen") => Vec::new(),
+            (None, _) => self.place.to_vec(),
+        };
+        match name {
+            "self" => {}
+            "super" => drop(names.pop()?),
+            "crate" | "pp_runtime" | "pp_codegen" if self.names.is_none() => {}
+            _ => names.push(name.to_owned()),
         }
-        let begins = |name: &str| matches!(&tokens[at], TokenTree::Ident(word) if word == name);
-        let mut steps = 0;
-        let mut next = at;
-        if begins("crate") || begins("pp_runtime") || begins("pp_codegen") {
-            (steps, next) = (depth, at + 1);
-        } else {
-            while matches!(tokens.get(next), Some(TokenTree::Ident(word)) if word == "super") {
-                steps += 1;
-                next += if is_path_separator(&tokens, next + 1) { 3 } else { 1 };
-            }
-            next = next.saturating_sub(2).max(at);
-        }
-        if steps > 0 && is_path_separator(&tokens, next) {
-            match tokens.get(next + 2) {
-                _ if steps == depth => first_names(&tokens[next + 2..], modules, found),
-                // `super::{super::a, b}`: the braces are counted from where the path leads.
-                Some(TokenTree::Group(group)) if steps < depth => {
-                    paths(group.stream(), depth - steps, modules, found);
-                    next += 3;
+        Some(Self { names: Some(names), ..*self })
+    }
+
+    /// Reads the rest of the path, which may be several in braces; adds them, and returns the tokens after it.
+    fn read<'t>(&self, tokens: &'t [TokenTree], found: &mut Vec<Vec<String>>) -> &'t [TokenTree] {
+        match tokens {
+            [TokenTree::Ident(name), rest @ ..] => {
+                let Some(path) = self.with(&name.to_string()) else { return rest };
+                if is_path_separator(rest, 0) {
+                    return path.read(&rest[2..], found);
                 }
-                _ => {}
+                found.extend(path.names);
+                rest
+            }
+            [TokenTree::Group(group), rest @ ..] if group.delimiter() == Delimiter::Brace => {
+                let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+                for part in inner.split(|tree| matches!(tree, TokenTree::Punct(mark) if mark.as_char() == ',')) {
+                    self.read(part, found);
+                }
+                rest
+            }
+            // Everything of a module, or arguments of a type.
+            _ => {
+                found.extend(self.names.clone());
+                tokens
             }
         }
-        at = next.max(at + 1);
+    }
+}
+
+/// Adds the paths of `tokens`, each as its names from the root of the crate; `place`: the module that has them. What is not found from
+/// the root is taken as a path in that module.
+fn paths(tokens: TokenStream, place: &[String], found: &mut Vec<Vec<String>>) {
+    let tokens: Vec<TokenTree> = without_tests(tokens);
+    let mut rest = &tokens[..];
+    while let Some((first, after)) = rest.split_first() {
+        let before = tokens.len() - rest.len();
+        rest = match first {
+            TokenTree::Group(group) => {
+                // A `mod name { .. }` in the file is one level deeper.
+                let inner = match &tokens[..before] {
+                    [.., TokenTree::Ident(word), TokenTree::Ident(name)] if word == "mod" => {
+                        [place, &[name.to_string()]].concat()
+                    }
+                    _ => place.to_vec(),
+                };
+                paths(group.stream(), &inner, found);
+                after
+            }
+            TokenTree::Ident(_) if is_path_separator(after, 0) => PathSoFar { place, names: None }.read(rest, found),
+            _ => after,
+        };
     }
 }
 
 fn is_path_separator(tokens: &[TokenTree], at: usize) -> bool {
     let colon = |at: usize| matches!(tokens.get(at), Some(TokenTree::Punct(mark)) if mark.as_char() == ':');
     colon(at) && colon(at + 1)
-}
-
-/// Adds the modules at the start of the rest of a path: one, or those of a `{..}`.
-fn first_names(tokens: &[TokenTree], modules: &BTreeSet<String>, found: &mut BTreeSet<String>) {
-    match tokens.first() {
-        Some(TokenTree::Ident(word)) if modules.contains(&word.to_string()) => drop(found.insert(word.to_string())),
-        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => {
-            let inner: Vec<TokenTree> = group.stream().into_iter().collect();
-            for part in inner.split(|tree| matches!(tree, TokenTree::Punct(mark) if mark.as_char() == ',')) {
-                first_names(part, modules, found);
-            }
-        }
-        _ => {}
-    }
 }
 
 /// The tokens without items that are compiled for tests only.
@@ -154,7 +177,7 @@ fn without_tests(tokens: TokenStream) -> Vec<TokenTree> {
 }
 
 /// The files of a folder that are not tests.
-pub(crate) fn sources(folder: &Path, into: &mut Vec<PathBuf>) {
+fn sources(folder: &Path, into: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("the folder exists") {
         let path = entry.expect("it can be listed").path();
         let name = path.file_stem().and_then(|name| name.to_str()).expect("a name in ASCII").to_owned();
@@ -168,7 +191,7 @@ pub(crate) fn sources(folder: &Path, into: &mut Vec<PathBuf>) {
 }
 
 /// Modules that are compiled for tests only, `#[cfg(test)] mod name;`: their files without extension.
-pub(crate) fn test_modules(files: &[PathBuf]) -> BTreeSet<PathBuf> {
+fn test_modules(files: &[PathBuf]) -> BTreeSet<PathBuf> {
     let mut modules = BTreeSet::new();
     for file in files {
         let folder = match file.file_stem().and_then(|stem| stem.to_str()) {
@@ -186,30 +209,37 @@ pub(crate) fn test_modules(files: &[PathBuf]) -> BTreeSet<PathBuf> {
     modules
 }
 
-fn uses(source: &Path, modules: &BTreeSet<String>) -> Uses {
+/// The files of a crate that are not tests.
+pub(crate) fn product_files(source: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
     sources(source, &mut files);
     let tests = test_modules(&files);
+    files.retain(|file| !file.with_extension("").ancestors().any(|module| tests.contains(module)));
+    files
+}
+
+/// The modules of a crate that are not tests, each with its paths from the root; the root has no name.
+pub(crate) fn modules(source: &Path) -> BTreeMap<Vec<String>, Vec<Vec<String>>> {
+    let module = |file: &PathBuf| {
+        let inside = file.strip_prefix(source).expect("a file of the folder").with_extension("");
+        let place = inside.iter().map(|part| part.to_string_lossy().into_owned());
+        let place: Vec<String> = place.filter(|part| part != "mod" && part != "lib").collect();
+        let text = fs::read_to_string(file).expect("it can be read");
+        let mut found = Vec::new();
+        paths(text.parse().expect("Rust"), &place, &mut found);
+        (place, found)
+    };
+    product_files(source).iter().map(module).collect()
+}
+
+fn uses(source: &Path, names: &BTreeSet<String>) -> Uses {
     let mut uses = Uses::new();
-    for file in files {
-        let place: Vec<String> = file
-            .strip_prefix(source)
-            .expect("a file of the folder")
-            .with_extension("")
-            .iter()
-            .map(|part| part.to_string_lossy().into_owned())
-            .filter(|part| part != "mod")
-            .collect();
-        if place == ["lib"] || file.with_extension("").ancestors().any(|module| tests.contains(module)) {
-            continue;
-        }
-        let text = fs::read_to_string(&file).expect("it can be read");
-        let mut found = BTreeSet::new();
-        paths(text.parse().expect("Rust"), place.len(), modules, &mut found);
-        found.remove(&place[0]);
-        let used = uses.entry(place[0].clone()).or_default();
-        for name in found {
-            used.entry(name).or_insert_with(|| file.clone());
+    for (place, paths) in modules(source) {
+        let Some(here) = place.first() else { continue };
+        let used = uses.entry(here.clone()).or_default();
+        let others = paths.into_iter().filter_map(|path| path.into_iter().next());
+        for name in others.filter(|name| names.contains(name) && name != here) {
+            used.entry(name).or_insert_with(|| place.join("::"));
         }
     }
     uses
@@ -225,8 +255,8 @@ fn compare(package: &str, table: &[(&str, &[&str])]) {
     let mut faults = Vec::new();
     for (name, allowed) in table {
         let used = &found[*name];
-        for (other, file) in used.iter().filter(|(other, _)| !allowed.contains(&other.as_str())) {
-            faults.push(format!("{name} may not use {other}: {}", file.display()));
+        for (other, module) in used.iter().filter(|(other, _)| !allowed.contains(&other.as_str())) {
+            faults.push(format!("{name} may not use {other}: {module}"));
         }
         for other in allowed.iter().filter(|other| !used.contains_key(**other)) {
             faults.push(format!("{name} does not use {other}: the table allows too much"));
@@ -282,9 +312,10 @@ fn the_code_map_has_every_module_and_no_other() {
 fn every_spelling_of_a_path_is_found() {
     let modules: BTreeSet<String> = ["cl", "motion", "nc"].map(str::to_owned).into();
     let seen = |text: &str, depth: usize| {
-        let mut found = BTreeSet::new();
-        paths(text.parse().expect("Rust"), depth, &modules, &mut found);
-        found.into_iter().collect::<Vec<_>>().join(" ")
+        let (place, mut found) = (["outer", "inner"].map(str::to_owned), Vec::new());
+        paths(text.parse().expect("Rust"), &place[..depth], &mut found);
+        let found: BTreeSet<&String> = found.iter().filter_map(|path| path.first()).collect();
+        found.into_iter().filter(|name| modules.contains(*name)).cloned().collect::<Vec<_>>().join(" ")
     };
     assert_eq!(seen("use crate::motion::Step;", 1), "motion");
     assert_eq!(seen("use crate::{cl::Reader, nc};", 2), "cl nc");

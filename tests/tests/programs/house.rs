@@ -3,13 +3,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use tests::binaries::workspace;
 
-use super::architecture::{sources, test_modules};
+use super::architecture::{modules, product_files};
 
 /// Sources that are judged.
 const SOURCES: &[&str] = &[
@@ -126,19 +126,6 @@ impl<'ast> Visit<'ast> for Large {
     }
 }
 
-/// Files of the product, without tests.
-fn product_files() -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    for folder in SOURCES {
-        let mut here = Vec::new();
-        sources(&workspace().join(folder), &mut here);
-        let tests = test_modules(&here);
-        here.retain(|file| !file.with_extension("").ancestors().any(|module| tests.contains(module)));
-        files.extend(here);
-    }
-    files
-}
-
 fn shown(path: &Path) -> String {
     path.strip_prefix(workspace()).expect("a file of the project").display().to_string()
 }
@@ -163,87 +150,13 @@ fn compare(found: &BTreeMap<String, usize>, listed: &[(&str, usize)]) {
 #[test]
 fn structs_and_functions_have_one_idea() {
     let mut large = Large::default();
-    for file in product_files() {
+    for file in SOURCES.iter().flat_map(|folder| product_files(&workspace().join(folder))) {
         let text = fs::read_to_string(&file).expect("it can be read");
         large.file = shown(&file);
         large.visit_file(&syn::parse_file(&text).expect("Rust"));
     }
     compare(&large.structs, LARGE_STRUCTS);
     compare(&large.functions, LONG_FUNCTIONS);
-}
-
-/// Paths of a file, each as its segments; those of tests are left out.
-#[derive(Default)]
-struct Paths(Vec<Vec<String>>);
-
-impl Paths {
-    fn tree(&mut self, tree: &syn::UseTree, before: &[String]) {
-        let with = |name: &syn::Ident| [before, &[name.to_string()]].concat();
-        match tree {
-            syn::UseTree::Path(path) => self.tree(&path.tree, &with(&path.ident)),
-            syn::UseTree::Name(name) => self.0.push(with(&name.ident)),
-            syn::UseTree::Rename(name) => self.0.push(with(&name.ident)),
-            syn::UseTree::Group(group) => group.items.iter().for_each(|tree| self.tree(tree, before)),
-            syn::UseTree::Glob(_) => self.0.push(before.to_vec()),
-        }
-    }
-}
-
-impl<'ast> Visit<'ast> for Paths {
-    fn visit_item_mod(&mut self, item: &'ast syn::ItemMod) {
-        // Modules inside a file are those of tests.
-        if item.content.is_some() && !is_test(&item.attrs) {
-            visit::visit_item_mod(self, item);
-        }
-    }
-
-    fn visit_item_use(&mut self, item: &'ast syn::ItemUse) {
-        if !is_test(&item.attrs) {
-            self.tree(&item.tree, &[]);
-        }
-    }
-
-    fn visit_item_fn(&mut self, item: &'ast syn::ItemFn) {
-        if !is_test(&item.attrs) {
-            visit::visit_item_fn(self, item);
-        }
-    }
-
-    fn visit_path(&mut self, path: &'ast syn::Path) {
-        self.0.push(path.segments.iter().map(|segment| segment.ident.to_string()).collect());
-        visit::visit_path(self, path);
-    }
-}
-
-/// A path from the root of the crate; `place`: the module that has it.
-fn from_root(path: &[String], place: &[String]) -> Option<Vec<String>> {
-    let supers = path.iter().take_while(|name| *name == "super").count();
-    match path.first()?.as_str() {
-        "crate" => Some(path[1..].to_vec()),
-        "self" => Some([place, &path[1..]].concat()),
-        "super" => Some([&place[..place.len().checked_sub(supers)?], &path[supers..]].concat()),
-        _ => None,
-    }
-}
-
-/// The modules of a crate, each with its paths from the root.
-fn modules(source: &Path) -> BTreeMap<Vec<String>, Vec<Vec<String>>> {
-    let mut files = Vec::new();
-    sources(source, &mut files);
-    let tests = test_modules(&files);
-    let is_product = |file: &&PathBuf| !file.with_extension("").ancestors().any(|module| tests.contains(module));
-    let module = |file: &PathBuf| {
-        let inside = file.strip_prefix(source).expect("a file of the folder").with_extension("");
-        let place: Vec<String> = inside.iter().map(|part| part.to_string_lossy().into_owned()).collect();
-        let place: Vec<String> = place.into_iter().filter(|part| part != "mod" && part != "lib").collect();
-        let mut paths = Paths::default();
-        paths.visit_file(&syn::parse_file(&fs::read_to_string(file).expect("it can be read")).expect("Rust"));
-        // What a module takes from a module in it: `mod lexer; pub(crate) use lexer::Line;`.
-        let own = |path: &Vec<String>| from_root(path, &place).unwrap_or_else(|| [&place[..], path].concat());
-        let paths = paths.0.iter().map(own).collect();
-        (place, paths)
-    };
-    files.iter().filter(is_product).map(module).collect()
 }
 
 /// Modules of one folder that use each other in a circle, with what each takes from another one.
