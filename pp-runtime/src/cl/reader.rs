@@ -8,15 +8,12 @@ use super::diagnostics::Faults;
 use super::dialect::Dialect;
 use super::meaning::{ArcVote, Contradictions, FrameVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame};
 use super::record::{
-    CIRCLE, CIRCLE_NUMBERS, CatiaMatrix, GOTO, MotionRecord, Record, SubprogramRecord, comment_dialect, joined_goto,
-    joined_record, next_circle, next_goto, parse, read_comment, record_dialect,
+    CatiaMatrix, Record, Shapes, SubprogramRecord, comment_dialect, joined_record, parse, read_comment, record_dialect,
 };
 use super::subprogram::{self, KeptStatement, Subprograms, call_inside};
-use super::text::{
-    Beginning, ClFault, LONGEST_STATEMENT, Lexer, NumberLine, PhysicalLine, Span, Statement, StatementKind, decoded,
-};
+use super::text::{Beginning, ClFault, LONGEST_STATEMENT, Lexer, Span, Statement, StatementKind, decoded};
 use crate::diag::{Diagnostic, Severity};
-use crate::program::{Arc, Event, Location, Move, ToolMotion, Units};
+use crate::program::{Event, Location, ToolMotion, Units};
 use crate::shortcut::Shortcut;
 
 /// CL text that can be read more than once: a file, or bytes in memory.
@@ -34,12 +31,7 @@ const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;
 /// column.
 pub struct ClReader<R> {
     lexer: Lexer<R>,
-    /// Shapes of the GOTO and of the CIRCLE read last, and of the GOTO that was joined of several lines.
-    goto: NumberLine<6>,
-    joined_goto: NumberLine<6>,
-    /// Number of statements in succession that were joined of several lines.
-    joined_in_a_row: u32,
-    circle: NumberLine<CIRCLE_NUMBERS>,
+    shapes: Shapes,
     interpreter: RecordInterpreter,
     matrix: CatiaMatrix,
     faults: Faults,
@@ -54,15 +46,6 @@ pub struct ClReader<R> {
     decoded: String,
 }
 
-/// What has come of a look for a motion on a line of its own, or on two.
-enum NextMotion<M> {
-    Motion(Location, M),
-    /// Its events are queued, or it is refused, or its end has not been read.
-    Taken,
-    /// Another statement, which has not been read.
-    None,
-}
-
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Progress {
     Unread,
@@ -75,10 +58,7 @@ impl<R: Read> ClReader<R> {
     pub fn new(input: R, options: ReadingOptions) -> Self {
         ClReader {
             lexer: Lexer::new(input, options.columns),
-            goto: NumberLine::new(GOTO.name),
-            joined_goto: NumberLine::new(GOTO.name),
-            joined_in_a_row: 0,
-            circle: NumberLine::new(CIRCLE.name),
+            shapes: Shapes::default(),
             interpreter: RecordInterpreter::new(options),
             matrix: CatiaMatrix::default(),
             faults: Faults::default(),
@@ -117,11 +97,8 @@ impl<R: Read> ClReader<R> {
     pub(super) fn fill(&mut self, batch: &mut Batch) {
         batch.clear();
         loop {
-            // Not in a cycle; and after an arc there is probably another CIRCLE.
-            if self.interpreter.is_straight() && !self.lexer.begins_with(b'C') {
-                let straights = self.straights(batch.free_places());
-                batch.take_places(straights);
-            }
+            let straights = self.straights(batch.free_places());
+            batch.take_places(straights);
             let Some(place) = batch.free_places().first_mut() else { return };
             let found = self.other(place);
             if self.add_other(found, batch) == More::No {
@@ -149,65 +126,28 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// Takes the next statements as long as each is a GOTO on a line of its own that is a straight motion, as nearly every one is, and
-    /// there are places for their events; returns their number.
+    /// Takes the next statements as long as each is a GOTO on a line of its own that is a straight motion, as nearly every
+    /// one is, and there are places for their events; returns their number.
     #[inline(never)]
     fn straights(&mut self, places: &mut [(Location, QueuedEvent)]) -> usize {
-        // A straight motion changes nothing that this depends on. Where statements are continued, so is probably the next one.
-        if self.joined_in_a_row > 1 || !self.takes_lines() {
+        // A straight motion changes nothing that this depends on.
+        if !self.takes_lines() || !self.interpreter.is_straight() {
             return 0;
         }
         let mut taken = 0;
         for place in places {
-            let NextMotion::Motion(here, motion) = self.take_straight() else { break };
-            *place = (here, QueuedEvent::Plain(Event::Motion(ToolMotion::Move(motion))));
+            let Some((line, point)) = self.shapes.next_goto(&mut self.lexer) else { break };
+            let here = self.count_line();
+            match self.interpreter.straight(&point, here) {
+                Ok(motion) => *place = (here, QueuedEvent::Plain(Event::Motion(ToolMotion::Move(motion)))),
+                Err(fault) => {
+                    self.faults.add(*fault, &self.lexer.last_line(line), &self.lexer);
+                    break;
+                }
+            }
             taken += 1;
         }
-        if taken > 0 {
-            self.joined_in_a_row = 0;
-        }
         taken
-    }
-
-    /// Makes the next event at its place, whatever it is. Says whether there is one.
-    #[inline(never)]
-    fn other(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
-        if self.takes_lines() { self.next_unless_straight(place) } else { self.next_of_any_kind(false, place) }
-    }
-
-    /// The same where the next statement is probably no straight motion on a line of its own; if it is, it is read as any other.
-    fn next_unless_straight(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
-        match self.take_arc_or_hole() {
-            NextMotion::Motion(here, arc) => {
-                *place = (here, QueuedEvent::Plain(Event::Motion(ToolMotion::Arc(arc))));
-                Ok(true)
-            }
-            NextMotion::Taken => self.next_of_any_kind(false, place),
-            NextMotion::None => self.next_of_any_kind(true, place),
-        }
-    }
-
-    /// [`take_straight`](Self::take_straight) after another statement: rare enough to be a call.
-    #[inline(never)]
-    fn take_straight_after_other(&mut self) -> NextMotion<Move> {
-        self.take_straight()
-    }
-
-    /// Takes the next statement if it is a GOTO on a line of its own that is a straight motion, as nearly every one is.
-    #[inline(always)]
-    fn take_straight(&mut self) -> NextMotion<Move> {
-        if !self.interpreter.is_straight() {
-            return NextMotion::None;
-        }
-        let Some((line, point)) = next_goto(&mut self.lexer, &mut self.goto) else { return NextMotion::None };
-        let here = self.count_line();
-        match self.interpreter.straight(&point, here) {
-            Ok(motion) => NextMotion::Motion(here, motion),
-            Err(fault) => {
-                self.faults.add(*fault, &self.lexer.last_line(line), &self.lexer);
-                NextMotion::Taken
-            }
-        }
     }
 
     /// Whether a record on a line of its own may be read in one pass: it is executed, and no event is queued before it.
@@ -222,63 +162,11 @@ impl<R: Read> ClReader<R> {
             && !self.faults.failed()
     }
 
-    /// Takes the next statement if it is a CIRCLE on a line of its own, or a GOTO on such a line that ends an arc or is a hole. The
-    /// GOTO after a CIRCLE is taken with it: then it is the arc, if no event is queued before it.
-    #[inline(always)]
-    fn take_arc_or_hole(&mut self) -> NextMotion<Arc> {
-        let mut taken = NextMotion::None;
-        if self.interpreter.may_begin_arc()
-            && let Some((line, circle)) = next_circle(&mut self.lexer, &mut self.circle)
-        {
-            let here = self.count_line();
-            let begun = self.interpreter.begin_arc(&circle, here);
-            // At the end of the file it is refused, if it still has no end.
-            self.statement = Some(self.lexer.last_line(line));
-            self.note_faults_of_line(begun, line);
-            taken = NextMotion::Taken;
-            if self.interpreter.has_events() || self.faults.failed() {
-                return taken;
-            }
-        }
-        if self.interpreter.is_straight() {
-            return taken;
-        }
-        let Some((line, point)) = next_goto(&mut self.lexer, &mut self.goto) else { return taken };
-        let here = self.count_line();
-        let fault = match self.interpreter.end_arc(&point, here) {
-            Some(Ok(arc)) => {
-                self.note_faults_of_line(Ok(()), line);
-                // With this cut two statements about its tool may have met.
-                return if self.faults.failed() { NextMotion::Taken } else { NextMotion::Motion(here, arc) };
-            }
-            Some(Err(fault)) => Err(fault),
-            None => self.interpreter.take(&Record::Motion(MotionRecord::Goto(point)), here),
-        };
-        self.note_faults_of_line(fault, line);
-        NextMotion::Taken
-    }
-
-    /// The same after another statement: rare enough to be a call.
-    #[inline(never)]
-    fn take_arc_or_hole_after_other(&mut self) -> NextMotion<Arc> {
-        self.take_arc_or_hole()
-    }
-
     /// Counts the record of the line read last, and returns its place. Its events have no text.
     #[inline(always)]
     fn count_line(&mut self) -> Location {
         self.records += 1;
         Location { line: self.lexer.lines(), column: 1 }
-    }
-
-    /// Notes what is wrong with the record of the line read last, and its warnings.
-    #[inline(always)]
-    fn note_faults_of_line(&mut self, taken: Result<(), ClFault>, line: PhysicalLine) {
-        if taken.is_err() || self.interpreter.has_faults() {
-            let statement = self.lexer.last_line(line);
-            self.statement = Some(statement);
-            self.note_faults(taken, &statement);
-        }
     }
 
     /// Notes what is wrong with a record, and its warnings.
@@ -295,11 +183,10 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// The same in any case; `no_line`: no event is queued before the next statement,
-    /// which is not to be read as a motion on a line of its own.
-    fn next_of_any_kind(&mut self, mut no_line: bool, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
+    /// Makes the next event at its place, whatever it is. Says whether there is one.
+    #[inline(never)]
+    fn other(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
         loop {
-            let no_line = std::mem::take(&mut no_line);
             if let Some(event) = self.interpreter.next_event()
                 && !self.faults.failed()
             {
@@ -309,22 +196,7 @@ impl<R: Read> ClReader<R> {
             match self.progress {
                 Progress::Unread => self.begin()?,
                 Progress::Reading if self.subprograms.is_running() => self.run_kept(),
-                Progress::Reading if no_line || !self.takes_lines() => self.read_next()?,
-                Progress::Reading => match self.take_straight_after_other() {
-                    NextMotion::Motion(here, motion) => {
-                        *place = (here, QueuedEvent::Plain(Event::Motion(ToolMotion::Move(motion))));
-                        return Ok(true);
-                    }
-                    NextMotion::Taken => {}
-                    NextMotion::None => match self.take_arc_or_hole_after_other() {
-                        NextMotion::Motion(here, arc) => {
-                            *place = (here, QueuedEvent::Plain(Event::Motion(ToolMotion::Arc(arc))));
-                            return Ok(true);
-                        }
-                        NextMotion::Taken => {}
-                        NextMotion::None => self.read_next()?,
-                    },
-                },
+                Progress::Reading => self.read_next()?,
                 Progress::Done => return Ok(false),
             }
         }
@@ -452,29 +324,33 @@ impl<R: Read> ClReader<R> {
 
     /// Reads the next statement, whatever it is.
     fn read_next(&mut self) -> io::Result<()> {
-        let next = self.lexer.next()?;
-        let is_joined = next.is_some_and(|statement| statement.is_joined_code());
-        self.joined_in_a_row = if is_joined { self.joined_in_a_row.saturating_add(1) } else { 0 };
-        match next {
-            Some(statement) if self.take_joined(&statement) => {}
-            Some(statement) => self.read(&statement),
-            None => self.finish(),
+        if self.takes_lines()
+            && let Some((line, record)) = self.shapes.next(&mut self.lexer)
+        {
+            let here = self.count_line();
+            self.take_numbers(&record, here, &self.lexer.last_line(line));
+            return Ok(());
         }
+        let Some(statement) = self.lexer.next()? else {
+            self.finish();
+            return Ok(());
+        };
+        if self.takes_lines()
+            && let Some(record) = self.shapes.joined(&self.lexer, &statement)
+        {
+            self.records += 1;
+            self.take_numbers(&record, self.lexer.locate(&statement, 0).0, &statement);
+            return Ok(());
+        }
+        self.read(&statement);
         Ok(())
     }
 
-    /// Takes a statement if it is a GOTO that was joined of several lines. Says whether it is.
-    fn take_joined(&mut self, statement: &Statement) -> bool {
-        if !statement.is_joined_code() || !self.takes_lines() {
-            return false;
-        }
-        let Some(point) = joined_goto(&self.lexer, statement, &mut self.joined_goto) else { return false };
-        self.records += 1;
+    /// Takes a record whose statement is a word and numbers.
+    fn take_numbers(&mut self, record: &Record<'_>, here: Location, statement: &Statement) {
         (self.statement, self.kept) = (Some(*statement), None);
-        let here = self.lexer.locate(statement, 0).0;
-        let taken = self.interpreter.take(&Record::Motion(MotionRecord::Goto(point)), here);
+        let taken = self.interpreter.take(record, here);
         self.note_faults(taken, statement);
-        true
     }
 
     fn read(&mut self, statement: &Statement) {

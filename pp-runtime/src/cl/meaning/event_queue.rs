@@ -93,11 +93,6 @@ impl EventQueue {
         self.faults.push((Some(here), fault));
     }
 
-    #[inline]
-    pub(crate) fn has_faults(&self) -> bool {
-        !self.faults.is_empty()
-    }
-
     pub(crate) fn take_faults(&mut self) -> impl Iterator<Item = (Option<Location>, ClFault)> + '_ {
         self.faults.drain(..)
     }

@@ -22,11 +22,11 @@ use super::units::FileUnits;
 use super::votes::ArcVotes;
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{
-    ArcRecord, CircleRecord, CoordinateRecord, MachineRecord, MotionRecord, OwnStatement, Point, ProgramRecord, Record,
+    ArcRecord, CoordinateRecord, MachineRecord, MotionRecord, OwnStatement, Point, ProgramRecord, Record,
     SubprogramRecord, Text,
 };
 use crate::cl::text::{ClFault, Span, decoded};
-use crate::program::{Arc, Event, Feed, Interruption, Location, NewStart, Spindle, TextKind};
+use crate::program::{Event, Feed, Interruption, Location, NewStart, Spindle, TextKind};
 
 /// CUTCOM/ON and the side that it needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -163,13 +163,7 @@ impl RecordInterpreter {
         self.events.pop()
     }
 
-    /// Whether the last record has warnings, or shows the fault of one before it.
-    #[inline]
-    pub(crate) fn has_faults(&self) -> bool {
-        self.events.has_faults()
-    }
-
-    /// Takes them, with the place of those that are not of the last record.
+    /// Takes the warnings of the last record, and faults of one before it that it shows, with their place.
     pub(crate) fn take_faults(&mut self) -> impl Iterator<Item = (Option<Location>, ClFault)> + '_ {
         self.events.take_faults()
     }
@@ -188,34 +182,6 @@ impl RecordInterpreter {
         let taken = self.interpret(record, here);
         self.update_plain_goto();
         taken
-    }
-
-    /// Whether a CIRCLE may come here: no arc is open, and no cycle is active.
-    #[inline]
-    pub(crate) fn may_begin_arc(&self) -> bool {
-        !self.arc.is_open() && !self.cycle.is_active() && !self.coordinates.workpiece().is_open()
-    }
-
-    /// Interprets a CIRCLE.
-    #[inline(always)]
-    pub(crate) fn begin_arc(&mut self, circle: &CircleRecord, here: Location) -> Result<(), ClFault> {
-        self.admit(Permitted::PATH_ALONE, false)?;
-        let opened = self.open_circle(circle, here);
-        self.update_plain_goto();
-        opened
-    }
-
-    /// Interprets a GOTO that ends the arc of the open circle; `None` if none is open, or an event is to be queued before it.
-    #[inline(always)]
-    pub(crate) fn end_arc(&mut self, point: &Point, here: Location) -> Option<Result<Arc, ClFault>> {
-        let alone = !self.is_any_waiting() && self.unloaded.is_none() && !self.coordinates.workpiece().is_watched();
-        let circle = self.arc.circle().filter(|_| alone)?;
-        if let Err(fault) = self.admit(Permitted::POINT, false) {
-            return Some(Err(fault));
-        }
-        let arc = self.arc_to_point(&circle, point, here);
-        self.update_plain_goto();
-        Some(arc)
     }
 
     /// Checks that a record may come here. `restates`: it states a frame that is in force.

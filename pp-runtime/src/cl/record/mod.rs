@@ -27,6 +27,7 @@ mod nurbs;
 mod own;
 mod parse;
 mod program;
+mod shapes;
 mod spindle;
 mod subprogram;
 mod tool;
@@ -49,12 +50,12 @@ pub use self::values::{AxisPlane, Numbers, Point, Text};
 pub use self::words::{list, not_inert};
 pub use super::text::Span;
 
-pub(crate) use self::arc::CIRCLE_NUMBERS;
 pub(crate) use self::comment::{CatiaMatrix, comment_dialect, read_comment};
 pub(crate) use self::own::GivenMeanings;
-pub(crate) use self::parse::{if_harmless, joined_goto, joined_record, next_circle, next_goto, parse, record_dialect};
+pub(crate) use self::parse::{if_harmless, joined_record, parse, record_dialect};
+pub(crate) use self::shapes::Shapes;
 pub(crate) use self::values::word_of;
-pub(crate) use self::words::{CIRCLE, GOTO, nearest_word};
+pub(crate) use self::words::nearest_word;
 
 use std::fmt::{self, Display, Formatter};
 

@@ -3,19 +3,14 @@
 //! A statement is `MAJOR[/argument,argument..]`. The major word is looked up in `words`, and the function of its row
 //! reads all arguments. An argument that is not understood is refused, never passed over.
 
-use std::io::Read;
-
 use super::Record;
-use super::arc::{CIRCLE_NUMBERS, CIRCLE_NUMBERS_HELD, CircleRecord};
 use super::comment::remark_dialect;
 use super::machine::CLAMPS_LEFT_TO_POST;
 use super::own::GivenMeanings;
-use super::values::{Point, Text};
+use super::values::Text;
 use super::words::{Handling, has_numbers_of_a_frame, look_up, major_word};
 use crate::cl::dialect::Dialect;
-use crate::cl::text::{
-    Args, ClFault, Help, Lexer, NumberLine, PhysicalLine, Span, Statement, is_blank, quoted, skip_blanks,
-};
+use crate::cl::text::{Args, ClFault, Help, Span, is_blank, quoted, skip_blanks};
 use crate::diag::Severity;
 
 /// Largest number of bytes of an unknown word that its message shows.
@@ -163,32 +158,6 @@ pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
         Some("UNIT" | "CSYS" | "TRNTYP" | "CSI_") => Dialect::SolidWorks,
         _ => Dialect::Generic,
     }
-}
-
-/// Reads a GOTO on a line of its own: its line and point. `None`: any other line, which has not been read.
-#[inline(always)]
-pub(crate) fn next_goto<R: Read>(lexer: &mut Lexer<R>, before: &mut NumberLine<6>) -> Option<(PhysicalLine, Point)> {
-    lexer.next_numbers::<6, 6, _>(before, |found| Point::of(found.numbers, found.count, found.at))
-}
-
-/// The point of a GOTO that has been joined of several lines; `None` for any other statement.
-pub(crate) fn joined_goto<R: Read>(
-    lexer: &Lexer<R>,
-    statement: &Statement,
-    before: &mut NumberLine<6>,
-) -> Option<Point> {
-    lexer.joined_numbers::<6, 6, _>(statement, before, |found| Point::of(found.numbers, found.count, found.at))
-}
-
-/// Reads a CIRCLE on a line of its own, without TIMES, in the same way.
-#[inline(always)]
-pub(crate) fn next_circle<R: Read>(
-    lexer: &mut Lexer<R>,
-    before: &mut NumberLine<CIRCLE_NUMBERS>,
-) -> Option<(PhysicalLine, CircleRecord)> {
-    lexer.next_numbers::<_, CIRCLE_NUMBERS_HELD, _>(before, |found| {
-        CircleRecord::of(&found.numbers, found.count, 1, found.at)
-    })
 }
 
 /// The statement of the shop that a statement is.

@@ -228,12 +228,6 @@ impl<R: Read> Lexer<R> {
         make(numbers)
     }
 
-    /// Whether the next line is known to begin with this byte.
-    #[inline(always)]
-    pub(crate) fn begins_with(&self, byte: u8) -> bool {
-        self.start < self.end && self.buffer[self.start] == byte
-    }
-
     /// The statement of the line that [`next_numbers`](Self::next_numbers) has returned last.
     pub(crate) fn last_line(&self, line: PhysicalLine) -> Statement {
         self.on_one_line(line, StatementKind::Code)

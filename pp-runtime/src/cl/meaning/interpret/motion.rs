@@ -152,19 +152,6 @@ impl RecordInterpreter {
         }
     }
 
-    /// Arc on the open circle to a point.
-    #[inline(always)]
-    pub(crate) fn arc_to_point(
-        &mut self,
-        circle: &WaitingCircle,
-        point: &Point,
-        here: Location,
-    ) -> Result<Arc, ClFault> {
-        let pose = self.pose(point, here)?;
-        self.note_cut();
-        self.arc_to(circle, pose, point.at, here)
-    }
-
     /// Arc on the open circle to a pose in the workpiece frame.
     #[inline(always)]
     fn arc_to(&mut self, circle: &WaitingCircle, pose: Pose, at: Span, here: Location) -> Result<Arc, ClFault> {
