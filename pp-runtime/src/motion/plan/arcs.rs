@@ -18,6 +18,7 @@ use crate::motion::geometry::ArcGeometry;
 use crate::motion::geometry::{ArcPlane, Circle, CircleDeviation, NominalCircle, WordGrid};
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::Planner;
+use crate::motion::plan::cutter::WrittenArc;
 use crate::motion::plan::feed::FeedMotion;
 use crate::motion::plan::statistics::Statistics;
 use crate::motion::rotary::RotaryTarget;
@@ -119,10 +120,14 @@ fn cannot_be_written() -> Fault {
 pub(crate) fn arc<S: Sink>(planner: &mut Planner<'_, S>, arc: &Arc, index: MotionIndex) -> Planned {
     let round = ArcGeometry::new(arc);
     if planner.cutter.is_idle() {
-        ArcRun { planner, arc, round }.run(index)
-    } else {
-        crate::motion::plan::cutter::arc(planner, arc, |planner| ArcRun { planner, arc, round }.run(index))
+        return ArcRun { planner, arc, round }.run(index).map(drop);
     }
+    let from = *planner.mover.here();
+    let (cutter, site) = planner.compensation();
+    cutter.check_arc(arc, &site)?;
+    let written = ArcRun { planner: &mut *planner, arc, round }.run(index)?;
+    let (cutter, site) = planner.compensation();
+    Ok(cutter.after_arc(written, &from, &site)?)
 }
 
 /// One arc that is being planned.
@@ -133,7 +138,7 @@ struct ArcRun<'p, 'a, 'r, S> {
 }
 
 impl<S: Sink> ArcRun<'_, '_, '_, S> {
-    fn run(&mut self, index: MotionIndex) -> Planned {
+    fn run(&mut self, index: MotionIndex) -> Result<WrittenArc, ItemError> {
         let arc = self.arc;
         let motion = Move { pose: arc.end, rapid: false, feed: arc.feed };
         self.planner.stop_spindle()?;
@@ -149,13 +154,17 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         let planned = self.planner.apply_course_changes(&motion, index)?;
         self.planner.restart_after_thread()?;
         let end = self.planner.mover.place(&arc.end, true, planned)?;
-        match self.trace(&end)? {
-            Ok(()) => self.statistics().arcs += 1,
+        let written = match self.trace(&end)? {
+            Ok(()) => {
+                self.statistics().arcs += 1;
+                WrittenArc::Arcs
+            }
             Err(why) => {
                 self.statistics().count_chorded(why);
                 self.write_chords(planned)?;
+                if why == NoArc::Straight { WrittenArc::Chord } else { WrittenArc::Chords }
             }
-        }
+        };
         let position = self.planner.mover.position_mut();
         for part in self.round.extremes(arc.end.axis.into_inner()) {
             position.note_cut(&Pose { tip: self.round.tip(part), ..arc.end });
@@ -163,7 +172,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         position.note_cut(&arc.end);
         position.forget_lead_out();
         self.planner.mover.arrive(&end);
-        Ok(())
+        Ok(written)
     }
 
     /// Refuses the long way round a circle that no machine holds: nearly always the sense of a flat arc is wrong. Where the travel is
@@ -410,10 +419,8 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         mover.output_mut().feed(&pace, None);
         let words = AxisWords { vector: None, ..mover.placer().words(to, mask) };
         mover.write_motion(&Step::Arc { words, circle, feed }, to)?;
-        if !self.planner.cutter.is_idle() {
-            crate::motion::plan::cutter::arc_piece(self.planner, circle, to)?;
-        }
-        Ok(())
+        let (cutter, site) = self.planner.compensation();
+        Ok(cutter.arc_piece(circle, to, &site)?)
     }
 
     /// Writes the arc as chords within the tolerance.

@@ -59,7 +59,7 @@ pub use threads::{Thread, Threads};
 
 use crate::motion::geometry::ClearanceGeometry;
 use coolant::CoolantState;
-use cutter::CutterCompensation;
+use cutter::{CutterCompensation, CutterSite};
 use feed::Feeds;
 use mover::Mover;
 use operation::FeedCap;
@@ -135,7 +135,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             coolant: CoolantState::default(),
             clearance: ClearanceGeometry::new(policy.options.retract.clearance),
             course: CourseFollower::default(),
-            cutter: CutterCompensation::new(units),
+            cutter: CutterCompensation::default(),
             selection: Selection::default(),
             modes: ModeFollower::new(StretchModes::all(policy.options.mode_of_all().unwrap_or_default())),
             usable: UsableModes::default(),
@@ -286,9 +286,38 @@ impl<'a, S: Sink> Planner<'a, S> {
     fn line(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         match index.begins {
             Begins::Nothing if self.cutter.is_idle() => self.run(ahead, index),
-            Begins::Nothing => cutter::line(self, ahead, index),
+            Begins::Nothing => self.compensated_line(ahead, index),
             Begins::Linked | Begins::Operation => self.begin(ahead, index),
         }
+    }
+
+    /// A line while cutter compensation is requested, in force, or about to end.
+    #[cold]
+    fn compensated_line(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
+        let from = *self.mover.here();
+        let (cutter, site) = self.compensation();
+        let line = cutter.line(ahead.motion, &site)?;
+        if let Some(step) = cutter.switch(line, &site)? {
+            self.mover.output_mut().step(&step)?;
+        }
+        self.run(ahead, index)?;
+        let (cutter, site) = self.compensation();
+        Ok(cutter.after_line(line, &from, &site)?)
+    }
+
+    /// Cutter compensation, and what it depends on.
+    fn compensation(&mut self) -> (&mut CutterCompensation, CutterSite<'_>) {
+        let Self { cutter, mover, tooling, abilities, policy, .. } = self;
+        let site = CutterSite {
+            policy: *policy,
+            abilities,
+            tooling,
+            placer: mover.placer(),
+            here: mover.here(),
+            moves_zero: mover.moves_zero(),
+            line: mover.output().location().line,
+        };
+        (cutter, site)
     }
 
     /// The first motion of an operation.

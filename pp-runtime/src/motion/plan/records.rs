@@ -219,7 +219,13 @@ impl<S: Sink> Records<'_, '_, S> {
                 self.planner.request_coolant(kind);
                 if self.between { Ok(()) } else { self.planner.apply_coolant() }
             }
-            MachineFunction::Compensation(asked) => crate::motion::plan::cutter::request(self.planner, &asked),
+            MachineFunction::Compensation(asked) => {
+                let remark = self.planner.cutter.request(&asked, self.planner.policy)?;
+                if let Some(remark) = remark {
+                    self.planner.mover.output_mut().remark(remark);
+                }
+                Ok(())
+            }
             MachineFunction::Tolerance(tolerance) => {
                 self.planner.mover.set_tip_tolerance(tolerance.unwrap_or(self.planner.policy.options.tolerance_mm));
                 Ok(())

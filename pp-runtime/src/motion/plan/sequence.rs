@@ -20,7 +20,7 @@ use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::obligations::SequencePlace;
 use crate::motion::plan::selection::Opening;
 use crate::motion::plan::tool::LoadedTool;
-use crate::motion::plan::{MotionAndNext, Planner, cutter, records};
+use crate::motion::plan::{MotionAndNext, Planner, records};
 use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::Next;
 use crate::motion::step::BlockReason;
@@ -263,7 +263,7 @@ impl<S: Sink> Planner<'_, S> {
             0 => None,
             _ => self.spindle.requested().resolve(given, self.policy)?,
         };
-        let radius_delta = cutter::radius_delta(self, &tool)?;
+        let radius_delta = self.compensation().1.radius_delta(&tool)?;
         if change {
             self.come_to(SequencePlace::ToolChange)?;
         }
@@ -315,7 +315,8 @@ impl<S: Sink> Planner<'_, S> {
             let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance_mm, tool.offset, tool.number);
             self.mover.output_mut().guard(&Step::LengthGuard { label, tool, offset, length, tolerance })?;
         }
-        cutter::guard(self, &tool)
+        let guard = self.compensation().1.guard(&tool);
+        guard.map_or(Ok(()), |guard| Ok(self.mover.output_mut().guard(&guard)?))
     }
 
     /// Blocks of the shop for the tool that has cut, at the machine retract with spindle and coolant off.
