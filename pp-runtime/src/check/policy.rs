@@ -221,8 +221,10 @@ pub struct Tolerances {
     pub path_mm: f64,
     /// Of the tool axis from its great circle, rad.
     pub axis_path_rad: f64,
-    /// Angle to the pole within which a tool axis may be put at the pole, rad.
+    /// Angle to the pole within which a tool axis may be put at the pole, and to a step of an indexed axis, rad.
     pub pole_rad: f64,
+    /// There are indexed axes.
+    pub has_steps: bool,
     /// A tolerance in the CL data may be larger than `path_mm`.
     pub stated_may_be_larger: bool,
     /// Where the control blends blocks: largest deviation from the programmed path, mm.

@@ -41,6 +41,9 @@ crate::tolerance::tolerances! {
     AXIS_NOISE: f64 = 2e-6, "rad", "seven digits, of two axes",
         alone "the planner has the axis of the CL data, not one of words";
 
+    /// Largest angle between the tool axis of the CL data and one that is held.
+    HELD_AXIS: f64 = 1e-5, "rad", "digits of CL data, of which some systems write five", equals HELD_AXIS;
+
     /// Largest angle between the tool axis and the normal of its plane where words have many decimals.
     ALONG_PLANE_NORMAL: f64 = 5e-4, "rad", "0.03°: another plane is farther off",
         alone "the planner computes the plane from the tool axis";

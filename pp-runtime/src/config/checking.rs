@@ -156,6 +156,7 @@ impl Config {
             path_mm: self.motion.tolerance_mm,
             axis_path_rad: self.motion.axis_tolerance_path_rad,
             pole_rad: self.motion.course.axis_tolerance_rad,
+            has_steps: !self.motion.rotaries.grid.is_empty(),
             stated_may_be_larger: self.motion.allow_lintol,
             blending_mm: self.control.path_tolerance_mm,
         }

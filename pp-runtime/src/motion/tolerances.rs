@@ -9,8 +9,7 @@ crate::tolerance::tolerances! {
     SAME_AXIS: f64 = 1e-6, "rad", "CL data has seven digits", equals SAME_AXIS;
 
     /// Largest angle by which a tool axis that is held differs from that at the begin of its stretch.
-    HELD_AXIS: f64 = 1e-5, "rad", "digits of CL data, of which some systems write five",
-        alone "the check compares each motion with its own tool axis";
+    HELD_AXIS: f64 = 1e-5, "rad", "digits of CL data, of which some systems write five", equals HELD_AXIS;
 
     /// Largest distance of equal points, and of equal tool axes.
     SAME_POSE: f64 = 1e-9, "mm, 1", "the same record, rotated and moved: rounding of arithmetic", equals SAME_POSE;

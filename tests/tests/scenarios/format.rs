@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use pp_runtime::config::Mode;
+use pp_runtime::config::{Mode, Operations};
 use pp_runtime::control;
 
 use crate::program::is_like;
@@ -154,8 +154,8 @@ pub(crate) struct Settings {
     machines: Vec<String>,
     controls: Vec<String>,
     modes: Vec<String>,
-    /// First and last of the operations that are posted.
-    pub(crate) operations: Option<(u64, u64)>,
+    /// The operations that are posted.
+    pub(crate) operations: Option<Operations>,
     /// Lift of a dry run, mm.
     pub(crate) lift_mm: Option<f64>,
     /// Options of the command line, where a hint is followed.
@@ -299,8 +299,13 @@ fn set(settings: &mut Settings, key: &str, values: &str) -> Option<()> {
         "control" | "controls" => settings.controls = chosen(&controls().collect::<Vec<_>>())?,
         "mode" | "modes" => settings.modes = chosen(&modes().collect::<Vec<_>>())?,
         "operations" => {
-            let (first, last) = values.split_once(" to ").unwrap_or((values, values));
-            settings.operations = Some((first.parse().ok()?, last.parse().ok()?));
+            settings.operations = Some(match values.strip_prefix("from ") {
+                Some(name) => Operations::From(name.to_owned()),
+                None => {
+                    let (first, last) = values.split_once(" to ").unwrap_or((values, values));
+                    Operations::Range(first.parse().ok()?, Some(last.parse().ok()?))
+                }
+            });
         }
         "options" => settings.options = values.split_whitespace().map(str::to_owned).collect(),
         "dry run lifted by" => settings.lift_mm = Some(values.strip_suffix(" mm")?.parse().ok()?),

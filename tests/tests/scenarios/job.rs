@@ -7,7 +7,7 @@ use std::io::Cursor;
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::check::check;
 use pp_runtime::cli::{Status, Streams, run_with};
-use pp_runtime::config::{Config, Operations, starting_point};
+use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::Diagnostic;
 use pp_runtime::kinematics::Machine;
@@ -144,7 +144,7 @@ impl<'s> Job<'s> {
     fn config<M: Machine>(&self) -> Result<Config, Vec<Message>> {
         let read = starting_point(self.control()).read_over(&M::default(), &self.keys);
         let mut config = read.map_err(|faults| faults.iter().flat_map(Message::of).collect::<Vec<_>>())?;
-        config.motion.selected = self.settings.operations.map(|(first, last)| Operations::Range(first, Some(last)));
+        config.motion.selected = self.settings.operations.clone();
         config.motion.lift_mm = self.settings.lift_mm;
         let unfit: Vec<Message> =
             config.unfit(&M::default(), self.control()).iter().map(|text| Message::new(0, text)).collect();

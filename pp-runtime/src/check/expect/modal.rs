@@ -57,6 +57,8 @@ struct ExpectedQueue {
     /// Number of the last item that is no motion.
     last_other: u64,
     messages: Kept<ExpectedMessage>,
+    /// Items after the call of a tool, until the name of their operation says whether it is in the program.
+    unnamed: Vec<ExpectedItem>,
 }
 
 /// Where the path of the CL data is.
@@ -268,7 +270,9 @@ impl<'a> ClState<'a> {
             NewStart::Home => {
                 self.path.goes_on = false;
                 let called = self.operation.called;
-                self.interrupt(at, ExpectedAction::Home { called });
+                // The spindle goes on.
+                self.begin_anew();
+                self.push(at, ExpectedAction::Home { called });
             }
         }
     }
@@ -431,6 +435,11 @@ impl<'a> ClState<'a> {
         }
         if let Some(OperationSelection::From(selected)) = &self.policy.selection {
             self.operation.named |= name.trim().eq_ignore_ascii_case(selected.trim());
+            if self.operation.named {
+                for item in std::mem::take(&mut self.queue.unnamed) {
+                    self.enqueue(item);
+                }
+            }
         }
         if self.policy.family.facts().names_are_messages {
             self.message(at, name.as_bytes(), true);
@@ -686,6 +695,7 @@ impl<'a> ClState<'a> {
         operation.starts = false;
         operation.called = false;
         operation.changed = false;
+        self.queue.unnamed.clear();
         let number = self.operation.number;
         let required = self.require();
         required.operation = number;
@@ -870,17 +880,28 @@ impl<'a> ClState<'a> {
             self.calls.before = None;
         }
         self.operation.stopped = false;
-        if self.is_selected_here() {
-            let is_motion = matches!(action, ExpectedAction::Motion(_));
-            self.queue.items.push(ExpectedItem {
+        let selected = self.is_selected_here();
+        let waits = !selected
+            && self.operation.starts
+            && self.operation.called
+            && matches!(self.policy.selection, Some(OperationSelection::From(_)));
+        if selected || waits {
+            let item = ExpectedItem {
                 at,
                 required: Rc::clone(&self.required),
                 hole: self.holes.current.as_ref().map(|hole| self.at_feed(hole)),
                 action,
-            });
-            if !is_motion {
-                self.queue.last_other = self.queue.items.count();
-            }
+            };
+            if waits { self.queue.unnamed.push(item) } else { self.enqueue(item) }
+        }
+    }
+
+    #[inline(always)]
+    fn enqueue(&mut self, item: ExpectedItem) {
+        let is_motion = matches!(item.action, ExpectedAction::Motion(_));
+        self.queue.items.push(item);
+        if !is_motion {
+            self.queue.last_other = self.queue.items.count();
         }
     }
 }

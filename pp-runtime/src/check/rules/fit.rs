@@ -179,11 +179,12 @@ impl Rules<'_> {
         if on_arc.is_some_and(is_done) && self.is_at(end, &segment.to) {
             return Some(1.0);
         }
-        let past_pole = self.pole.is_some_and(|pole| {
-            let arc = segment.axis_arc();
-            [pole, -pole].iter().any(|pole| arc.is_within(pole, self.policy.tolerances.pole_rad))
-        });
-        let axis = match past_pole {
+        let is_led = self.policy.tolerances.has_steps
+            || self.pole.is_some_and(|pole| {
+                let arc = segment.axis_arc();
+                [pole, -pole].iter().any(|pole| arc.is_within(pole, self.policy.tolerances.pole_rad))
+            });
+        let axis = match is_led {
             _ if self.is_led_through_pole(segment, block) => rounding.pole_rad + self.largest_bend_rad(),
             true => rounding.pole_rad,
             false => rounding.axis_rad,

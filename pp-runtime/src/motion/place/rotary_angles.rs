@@ -14,7 +14,7 @@ use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
 use crate::motion::rotary::{Choice, MAX_TURNS, RotaryTarget, RotaryWords, RotationSense, choose};
 use crate::motion::step::MAX_AXES;
-use crate::motion::tolerances::LIMIT_SWING;
+use crate::motion::tolerances::{HELD_AXIS, LIMIT_SWING};
 use crate::shortcut::Shortcut;
 
 /// What the choice of rotary angles reads of a position.
@@ -75,7 +75,10 @@ impl Placer {
             place.axes[index] = rotary.angle(snapped, self.rotary.scale);
             let reached = self.machine.forward_kinematics(&place.axes).axis;
             let deviation = angle_between(&reached, &place.pose.axis);
-            if deviation > self.poles.tolerance_rad + 2.0 * self.rotary.scale.angle(1) || !rotary.contains(snapped) {
+            // The other words are rounded.
+            let rounded_rad = 0.5 * self.rotary.scale.angle(1) * self.rotary.axes.len() as f64;
+            let allowed_rad = self.poles.tolerance_rad.max(HELD_AXIS) + rounded_rad;
+            if deviation > allowed_rad || !rotary.contains(snapped) {
                 return Err(self.between_steps(&rotary, word, step));
             }
             place.deviation_rad = place.deviation_rad.max(deviation);

@@ -322,7 +322,7 @@ impl<S: Sink> Records<'_, '_, S> {
             self.planner.mover.output_mut().remark(Fault::new(text));
         }
         if other {
-            self.planner.spindle.change_tool(next.is_none());
+            self.planner.spindle.change_tool();
         }
         self.planner.tooling.prepare(tool);
         Ok(())

@@ -16,6 +16,8 @@ pub(crate) struct PlannedSpindle {
     request: SpindleRequest,
     /// Request of SPINDL since the last operation.
     between: SpindleRequest,
+    /// Another tool has been called since the last operation.
+    tool_called: bool,
     /// Speed in rev/min and sense of rotation as written; `None` if off or unknown.
     running: Option<(f64, Rotation)>,
     /// That speed as the CL data or the configuration has it.
@@ -43,14 +45,18 @@ impl PlannedSpindle {
     }
 
     /// Another tool is called; it does not take over the speed of the last one. A request since the last operation belongs to
-    /// the `first` tool called after it.
-    pub(crate) fn change_tool(&mut self, first: bool) {
-        self.request = if first { self.between } else { SpindleRequest::default() };
+    /// the first tool called after it.
+    pub(crate) fn change_tool(&mut self) {
+        if std::mem::replace(&mut self.tool_called, true) {
+            self.between = SpindleRequest::default();
+        }
+        self.request = self.between;
     }
 
     /// An operation begins.
     pub(crate) fn begin_operation(&mut self) {
         self.between = SpindleRequest::default();
+        self.tool_called = false;
     }
 
     /// Whether SPINDL has switched the spindle on since the last operation, stop or NC text.

@@ -266,7 +266,8 @@ impl MotionCounter {
         self.since = Since::NoNewStart;
         let first = begins != Begins::Nothing;
         let other_kind = std::mem::replace(&mut self.in_holes, hole) != hole;
-        let stretch_begins = first || other_kind || air && before.is_some_and(|before| differs(before, SAME_AXIS));
+        let held = self.stretch_axis.filter(|_| !self.has_rotated).or(before);
+        let stretch_begins = first || other_kind || air && held.is_some_and(|held| differs(held, HELD_AXIS));
         self.operation += u64::from(first);
         self.stretch += u64::from(stretch_begins);
         if stretch_begins {

@@ -210,7 +210,7 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 
     /// The place of a pose, reached from the present place: see [`Placer::place`]. In a plane the rotary axes stay where the
-    /// tool axis is that of the plane but for the digits of CL data.
+    /// tool axis is that of the plane but for the digits of CL data, whatever the course has for these digits.
     pub(crate) fn place(
         &mut self,
         pose: &Pose,
@@ -218,7 +218,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         planned: Option<RotaryTarget>,
     ) -> Result<AxisPosition, Fault> {
         let here = self.position.place();
-        if self.placer.mode() == StretchMode::Plane && planned.is_none() && self.position.is_known() {
+        if self.placer.mode() == StretchMode::Plane && (feed || planned.is_none()) && self.position.is_known() {
             let distance = here.pose.axis.into_inner() - pose.axis.into_inner();
             if distance.norm_squared() <= HELD_AXIS * HELD_AXIS {
                 return self.placer.shifted(pose.tip, here);
