@@ -11,7 +11,7 @@ use super::super::rules::{FrameUse, ModalContext};
 use super::obligations::{Duty, DutyEvent, DutyPlace, Station};
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
 use super::{Comparison, Current, parking, retract};
-use crate::check::tolerances::{ALONG_PLANE_NORMAL, BOTH, COMES_BACK, HELD_AXIS};
+use crate::check::tolerances::{ALONG_PLANE_NORMAL, BOTH, COMES_BACK};
 
 /// What a block of an approach moves.
 #[derive(Debug, Clone, Copy)]
@@ -290,11 +290,7 @@ impl Comparison<'_> {
             self.found(current, &format!("the rotary axes are {off:.4}° off the tilted plane"));
         } else if let Some(motion) = self.progress.motion() {
             let off = angle_between(&axis, &motion.to.axis);
-            let largest = if self.rules.may_be_led(&motion.to.axis) {
-                rounding.pole_rad
-            } else {
-                rounding.rotary_rad + HELD_AXIS
-            };
+            let largest = if self.rules.may_be_led(&motion.to.axis) { rounding.pole_rad } else { rounding.rotary_rad };
             if off > largest {
                 let off = off.to_degrees();
                 self.found(current, &format!("the rotary axes are {off:.4}° off the tool axis of the CL data"));

@@ -10,7 +10,7 @@ use super::super::policy::RapidForm;
 use super::super::read::{Action, ArcMove, Block, MAX_AXES, TipControl};
 use super::Rules;
 use crate::check::tolerances::{
-    AXIS_NOISE, BOTH, CONTROL_CHOOSES_NEAR_POLE, POLE_DRIFT, SAME_REVOLUTION, SAME_SHARE, UNEVEN_NEAR_POLE,
+    AXIS_NOISE, BOTH, CONTROL_CHOOSES_NEAR_POLE, HELD_AXIS, POLE_DRIFT, SAME_REVOLUTION, SAME_SHARE, UNEVEN_NEAR_POLE,
 };
 use crate::kinematics::math::larger;
 
@@ -151,13 +151,21 @@ impl Rules<'_> {
         arrival: &Arrival<'_>,
     ) -> Option<f64> {
         let is_arc = matches!(segment.shape, PathShape::Arc(_));
-        if !is_arc && self.is_at(end, &segment.to) {
+        if !is_arc && (self.is_at(end, &segment.to) || self.is_at_with_held_axis(end, segment)) {
             return Some(1.0);
         }
         self.share_within(segment, rapid, block, (before, end), arrival)
     }
 
-    /// The same for an arc, and where the block does not end with the motion.
+    /// Whether a block ends with a motion that rotates the tool axis by the digits of CL data, through which it is held.
+    #[inline(never)]
+    fn is_at_with_held_axis(&self, end: &ToolPose, segment: &Segment) -> bool {
+        segment.turn() <= BOTH * HELD_AXIS
+            && (end.tip - segment.to.tip).norm() <= self.rounding.tip_mm
+            && angle_between(&end.axis, &segment.to.axis) <= self.rounding.axis_rad + HELD_AXIS
+    }
+
+    /// The share for an arc, and where the block does not end with the motion.
     #[inline(never)]
     fn share_within(
         &self,

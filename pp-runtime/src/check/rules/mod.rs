@@ -15,9 +15,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Vector1, Vector3};
 
-use crate::check::tolerances::{
-    AXIS_NOISE, HELD_AXIS, RETRACT_ALONG_TOOL, SAME_COORDINATE, SAME_LINEAR_WORD, TIP_NOISE,
-};
+use crate::check::tolerances::{AXIS_NOISE, RETRACT_ALONG_TOOL, SAME_COORDINATE, SAME_LINEAR_WORD, TIP_NOISE};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side};
 use crate::program::{Feed, Units};
 
@@ -290,16 +288,16 @@ impl<'a> Rules<'a> {
         (here.tip - there.tip).norm() <= tip * self.rounding.tip_mm && self.is_axis_near(&here.axis, &there.axis, axis)
     }
 
-    /// Whether a tool axis is another, within the digits of CL data and a multiple of the allowance: more where it may be led.
+    /// Whether a tool axis is another, within a multiple of the allowance for that: more where it may be led.
     pub(super) fn is_axis_near(&self, here: &Vector3<f64>, there: &Vector3<f64>, times: f64) -> bool {
         let WordRounding { axis_rad, pole_rad, .. } = self.rounding;
-        is_within_angle(here, there, times * axis_rad + HELD_AXIS)
+        is_within_angle(here, there, times * axis_rad)
             || is_within_angle(here, there, times * pole_rad) && self.may_be_led(there)
     }
 
     /// Allowance for a tool axis, rad: one near the pole or a step is put there.
     pub(super) fn axis_allowance(&self, axis: &Vector3<f64>) -> f64 {
-        if self.may_be_led(axis) { self.rounding.pole_rad } else { self.rounding.axis_rad + HELD_AXIS }
+        if self.may_be_led(axis) { self.rounding.pole_rad } else { self.rounding.axis_rad }
     }
 
     /// Whether a tool axis may be led to the pole, or to a step of an indexed axis.
