@@ -62,7 +62,7 @@ const ENGINE: &[(&str, &[&str])] = &[
     ("formula", &["model", "solve", "symbolic"]),
     ("verify", &["check", "formula", "model", "report", "solve", "suggest", "symbolic", "syntax"]),
     ("explain", &["formula", "model", "solve", "symbolic", "verify"]),
-    ("emit", &["explain", "formula", "model", "solve", "symbolic", "syntax"]),
+    ("emit", &["check", "explain", "formula", "model", "solve", "symbolic"]),
 ];
 
 /// Modules used by each module of the first level, with a module in it that does.

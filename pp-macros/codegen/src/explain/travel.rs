@@ -134,7 +134,5 @@ fn written(ranges: &[Range]) -> String {
 
 /// Values of held axes and angles at their defaults.
 fn defaults(model: &Model) -> BTreeMap<Symbol, f64> {
-    let mut model = model.clone();
-    let defaults = model.defaults();
-    defaults.into_iter().filter_map(|(symbol, value)| Some((symbol, model.ring.value(&value)?))).collect()
+    model.defaults.iter().filter_map(|(symbol, value)| Some((*symbol, model.ring.value(value)?))).collect()
 }
