@@ -102,6 +102,8 @@ pub(crate) struct Executed {
     pub(crate) points: Vec<ExecutedPoint>,
     pub(crate) placements: Vec<ExecutedPlacement>,
     pub(crate) operations: Vec<ExecutedOperation>,
+    /// Lines with a motion to a machine position whose start or end is unknown, in order.
+    pub(crate) undrawn: Vec<u64>,
     /// In some rapids each axis moves on its own: their path is unknown, and drawn straight.
     pub(crate) rapids_apart: bool,
 }
@@ -276,16 +278,21 @@ impl Observer for Collector<'_> {
         match executed.block.action {
             Action::Nothing | Action::ToolChange | Action::Stop | Action::OptionalStop | Action::End => {}
             Action::Dwell(seconds) => self.wait(executed, seconds),
-            Action::Machine | Action::Reference { .. } | Action::EndOfTravel => match executed.machine_values() {
-                Some(values) => {
-                    self.follow_placement(executed, false);
-                    self.go_to_machine_position(executed, &values);
+            Action::Machine | Action::Reference { .. } | Action::EndOfTravel => {
+                match executed.machine_values() {
+                    Some(values) => {
+                        self.follow_placement(executed, false);
+                        self.go_to_machine_position(executed, &values);
+                    }
+                    None => {
+                        self.joined = false;
+                        self.forget(executed.block.written);
+                    }
                 }
-                None => {
-                    self.joined = false;
-                    self.forget(executed.block.written);
+                if !self.joined {
+                    self.executed.undrawn.push(executed.block.line);
                 }
-            },
+            }
             Action::Orient => {
                 self.follow_placement(executed, false);
                 self.orient(executed);
