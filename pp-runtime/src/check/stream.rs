@@ -163,7 +163,7 @@ impl ExecutedBlock<'_> {
         self.legs_of(self.from, self.block.values, axis)
     }
 
-    /// The same from a known position of the axes, mm and rad: it is where the axes are whose words are unknown, or counted in
+    /// The parts of the block from a known position of the axes, mm and rad: it is where the axes are whose words are unknown, or counted in
     /// another frame before the block.
     #[must_use]
     pub fn legs_from(&self, position: &AxisValues) -> Vec<Leg<'_>> {

@@ -175,7 +175,7 @@ impl<R: Read> ClReader<R> {
         if self.takes_lines() { self.next_unless_straight(place) } else { self.next_of_any_kind(false, place) }
     }
 
-    /// The same where the next statement is probably no straight motion on a line of its own; if it is, it is read as any other.
+    /// Makes the next event where its statement is probably no straight motion on a line of its own; if it is, it is read as any other.
     fn next_unless_straight(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
         match self.take_arc_or_hole() {
             NextMotion::Motion(here, arc) => {
@@ -258,7 +258,7 @@ impl<R: Read> ClReader<R> {
         NextMotion::Taken
     }
 
-    /// The same after another statement: rare enough to be a call.
+    /// Takes an arc or a hole after a statement of another kind: rare enough to be a call.
     #[inline(never)]
     fn take_arc_or_hole_after_other(&mut self) -> NextMotion<Arc> {
         self.take_arc_or_hole()
@@ -295,7 +295,7 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// The same in any case; `no_line`: no event is queued before the next statement,
+    /// Makes the next event, of any kind; `no_line`: no event is queued before the next statement,
     /// which is not to be read as a motion on a line of its own.
     fn next_of_any_kind(&mut self, mut no_line: bool, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
         loop {

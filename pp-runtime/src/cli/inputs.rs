@@ -94,7 +94,7 @@ pub(crate) fn show_progress(source: &mut ClSource, terminal: bool, args: &SetUpA
     }
 }
 
-/// The same for a simulation, which takes long for any CL data.
+/// Shows the progress of a simulation, which takes long for any CL data.
 #[cfg(feature = "simulate")]
 pub(crate) fn show_simulation(source: &mut ClSource, terminal: bool, args: &SetUpArgs) {
     if terminal && !args.quiet && args.message_format == MessageFormat::Human {

@@ -207,7 +207,7 @@ pub enum BlockNumbers {
     Step(u32),
     /// The first block of each restart point.
     Restarts,
-    /// The same where the tool changes.
+    /// The first block of each tool change.
     ToolChanges,
     /// None.
     None,

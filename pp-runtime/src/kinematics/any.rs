@@ -53,7 +53,7 @@ pub trait AnyMachine: PoseWords + Send + Sync {
     /// [`Machine::C_SOURCE`].
     fn c_source(&self) -> CSource;
 
-    /// The same machine with the same set-up.
+    /// A copy of the machine, with its set-up.
     fn to_boxed(&self) -> Box<dyn AnyMachine>;
 
     /// [`Machine::dimension`].

@@ -94,7 +94,7 @@ impl AxisRanges {
         Some(ranges.with_linear(machine, linear))
     }
 
-    /// The same with solved linear axes farther by a distance on both sides, mm.
+    /// These ranges with solved linear axes farther by a distance on both sides, mm.
     fn with_linear(mut self, machine: &dyn AnyMachine, by: f64) -> Self {
         for index in solved(machine, AxisKind::Linear) {
             self.low[index] -= by;

@@ -275,7 +275,7 @@ impl ModeFinder {
         }
     }
 
-    /// The same for any item that is no straight motion.
+    /// Takes an item that is no straight motion.
     fn follow_other(&mut self, item: &ProgramItem<'_>) {
         match item.action {
             ItemAction::Line { .. } => {}

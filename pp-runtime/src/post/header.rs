@@ -542,7 +542,7 @@ impl Header<'_> {
         lines
     }
 
-    /// The same with what the operator needs for this job alone: set-up, offsets and tools.
+    /// Lines of the header with what the operator needs for this job alone: set-up, offsets and tools.
     fn short(&self) -> Vec<String> {
         let (config, control) = (self.job.config, self.job.control);
         let mut lines = vec![

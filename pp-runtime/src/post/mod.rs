@@ -189,7 +189,7 @@ impl Report {
         self.summary_with(&time::lines(&self.times), conditions.as_slice())
     }
 
-    /// The same with the conditions on the control, and without machining times, for a document that has those of the executed program.
+    /// The summary with the conditions on the control, and without machining times, for a document that has those of the executed program.
     pub(crate) fn summary_without_times(&self) -> Vec<String> {
         let mut conditions: Vec<String> =
             self.conditions.iter().map(|condition| format!("condition: {condition}")).collect();

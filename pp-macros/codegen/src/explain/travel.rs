@@ -70,7 +70,7 @@ fn of_two(model: &Model, solved: &Solved, two: &TwoRotaries) -> Vec<String> {
 struct Part {
     /// Words of the axis.
     words: Range,
-    /// The same as `θ - φ`, from 0 to ±180.
+    /// These words as `θ - φ`, from 0 to ±180.
     from_phase: Range,
 }
 

@@ -301,7 +301,7 @@ impl Condition {
         }
     }
 
-    /// The same as a person reads it: an angle in place of `1 - cos B`, and words in place of long factors of divisors.
+    /// The condition as a person reads it: an angle in place of `1 - cos B`, and words in place of long factors of divisors.
     pub(crate) fn words(&self, scope: &Scope<'_>) -> Vec<String> {
         let Self::NotZero(zeros) = self else { return vec![self.text(scope)] };
         let mut words: Vec<String> = Vec::new();

@@ -144,7 +144,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// The same for the next motion or one after it. `leads_away`: the next one needs its block.
+    /// Lets the block carry out the next motion or one after it. `leads_away`: the next one needs its block.
     fn carry_out_next(
         &mut self,
         cutting: &mut Cutting,
@@ -431,7 +431,7 @@ impl Comparison<'_> {
         self.compare_points(current, ends, part)
     }
 
-    /// The same at points between the ends, where bounds do not decide.
+    /// Compares the path at points between the ends, where bounds do not decide.
     #[inline(never)]
     fn compare_points(&mut self, current: &Current<'_>, ends: [&ToolPose; 2], part: &MotionPart) -> BetweenEnds {
         let path = self.rules.path(self.previous.words, current.block);
@@ -550,7 +550,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// The same where that is not plain: few blocks.
+    /// Compares the feed of a block where it is not plainly right: few are.
     #[inline(never)]
     fn compare_feed_closely(
         &mut self,
@@ -651,7 +651,7 @@ impl Comparison<'_> {
         !rules.is_far_from_end(&finished.segment, end) && self.is_rest_of(finished, here, block, end)
     }
 
-    /// The same for a block near the end of the motion; few are.
+    /// Whether a block near the end of a finished motion is the rest of it; few are near.
     #[inline(never)]
     fn is_rest_of(
         &self,

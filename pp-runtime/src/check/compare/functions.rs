@@ -43,7 +43,7 @@ pub(super) struct FunctionState {
     at_retract: Option<ClampsAtRetract>,
     /// Axes whose words have come since the complete state: bits.
     axes_stated: u16,
-    /// The same of rotary axes, whatever the block was for.
+    /// Rotary axes whose words have come since, whatever the block was for: bits.
     rotary_stated: u16,
     /// The blank as far as the program has defined it, in its unit.
     blank: Blank,
@@ -242,7 +242,7 @@ impl FunctionState {
         }
     }
 
-    /// The same of the clamps: each is on or off.
+    /// What is missing where an operation begins: a clamp that is neither on nor off.
     pub(super) fn clamps_unstated(&self, rules: &Rules<'_>) -> Option<String> {
         let clamp = letter(rules, rules.clamps() & !self.clamps_stated);
         clamp.map(|letter| format!("the clamp of {letter} is neither on nor off after the restart point"))

@@ -21,7 +21,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// The same where texts are displayed. `marks`: before and after one.
+    /// Compares displayed texts. `marks`: before and after one.
     #[inline(never)]
     fn compare_messages(
         &mut self,

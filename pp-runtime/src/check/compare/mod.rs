@@ -154,7 +154,7 @@ struct Previous {
     guards: bool,
     /// A probe has measured since the last machine retract: the tool is still in the plane of its point.
     probed: bool,
-    /// The same since the last approach: the operation may go on.
+    /// A probe has measured since the last approach: the operation may go on.
     measured: bool,
     /// Chords of the arcs by their angle since the words gave the position in their plane, in diameters.
     chords: f64,
@@ -298,7 +298,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The same in all readings.
+    /// Compares one block in all readings.
     #[inline(never)]
     fn block_of_all(&mut self, block: &Block, text: &[u8]) -> io::Result<()> {
         let mut begun = Vec::new();
@@ -689,7 +689,7 @@ impl Comparison<'_> {
         self.pass_needless_from(phase.here())
     }
 
-    /// The same from where the tool is. The rotary axes may rotate for a rapid all the same, with the machine retracted.
+    /// Passes motions that need no block with the tool at `here`. For a rapid the rotary axes may rotate, with the machine retracted.
     fn pass_needless_from(&mut self, here: Option<&ToolPose>) -> io::Result<()> {
         while self.is_needless(0, here) {
             let is_rapid = self.progress.motion().is_some_and(|motion| motion.rapid);

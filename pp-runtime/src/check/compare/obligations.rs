@@ -102,7 +102,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// The same at a cut, where nothing is owed as a rule.
+    /// The program comes to a cut, where nothing is owed as a rule.
     #[inline]
     pub(super) fn come_to_cut(&mut self, place: DutyPlace, current: &Current<'_>) {
         if self.duties.owed & AT_PLACE[place as usize] != 0 {

@@ -517,14 +517,14 @@ impl<'a> ClState<'a> {
         self.path.fresh_arc = true;
     }
 
-    /// The same from an unknown position of the machine.
+    /// The next motion begins an operation from an unknown position of the machine.
     fn begin_anew(&mut self) {
         self.begin();
         self.operation.position_known = false;
         self.operation.linked = false;
     }
 
-    /// The same, and no cut goes on from where it was.
+    /// The next motion begins an operation from an unknown position, and no cut goes on from where it was.
     fn begin_elsewhere(&mut self) {
         self.path.goes_on = false;
         self.begin_anew();

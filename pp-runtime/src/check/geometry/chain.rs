@@ -351,7 +351,7 @@ impl Link {
         self.rotated_about(&self.centre, tool, angle)
     }
 
-    /// The same of two points, each about its own centre, or of vectors.
+    /// Rotates two points, each about its own centre, or two vectors.
     #[inline(always)]
     fn rotated_about(&self, centre: &Pair, tool: &Pair, angle: f64) -> Pair {
         let Turn { sine, cosine, .. } = self.turn(angle);

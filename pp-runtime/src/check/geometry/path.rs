@@ -219,7 +219,7 @@ impl ArcPath {
         self.foot_at((point - self.centre).dot(&self.normal), share)
     }
 
-    /// The same for a point at a height.
+    /// The share of a point at a height.
     fn foot_at(&self, height: f64, share: f64) -> f64 {
         let rise = self.heights[1] - self.heights[0];
         let round = self.angle * f64::midpoint(self.radii[0], self.radii[1]);

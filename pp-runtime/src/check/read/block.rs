@@ -173,7 +173,7 @@ pub enum OwnPlace {
     },
     /// Text of INSERT, AUXFUN, PREFUN, or of a statement of the shop.
     Insert,
-    /// The same, and a code in it that is declared "none" is not confirmed to be harmless.
+    /// Such a text with a code that is declared "none" and not confirmed to be harmless.
     Unconfirmed,
 }
 
@@ -278,7 +278,7 @@ pub enum CycleKind {
     ChipBreak(f64),
     /// G84: a thread, mm per turn, + right-hand; synchronised.
     Tap(f64),
-    /// The same, not synchronised: the pitch is that of F and S.
+    /// G84, not synchronised: the pitch is that of F and S.
     FloatingTap(f64),
     /// G86: in at feed, out with the spindle off.
     Bore,

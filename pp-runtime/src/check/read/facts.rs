@@ -171,7 +171,7 @@ const HEIDENHAIN_LEFT: &[LeftOver] = &[
 pub(crate) enum LineForm {
     /// Letters and numbers.
     Letters,
-    /// The same, and keywords and calls.
+    /// Letters and numbers, keywords and calls.
     Keywords,
     /// Numbered lines, each a statement.
     Statements,

@@ -159,7 +159,7 @@ impl<'a> Line<'a> {
         self.orders.units().or(self.machine.state().units)
     }
 
-    /// The same, mm.
+    /// The unit in which the line counts, mm; 1 where it is unknown.
     pub(super) fn unit(&self) -> f64 {
         self.units().map_or(1.0, Units::in_mm)
     }

@@ -246,7 +246,7 @@ impl<P: TextPieces> Reader<P> {
         Self::with(input, Arc::new(own::prepare(vocabulary)))
     }
 
-    /// The same with a vocabulary whose lines can be found already.
+    /// A reader with a vocabulary whose lines can be found already.
     fn with(input: P, vocabulary: Arc<Vocabulary>) -> Self {
         let facts = vocabulary.family.facts();
         let own_retract = vocabulary.own.iter().any(|own| matches!(own.place, OwnPlace::Retract { .. }));

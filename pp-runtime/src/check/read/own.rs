@@ -729,7 +729,7 @@ fn filled<'a>(template: &[u8], line: &'a [u8]) -> Option<Filled<'a>> {
     None
 }
 
-/// The same for a word of a template.
+/// The values of fields in a word; `None` if it is not that of the template.
 fn filled_word<'a>(word: &[u8], text: &'a [u8]) -> Option<Filled<'a>> {
     let Some(open) = word.iter().position(|byte| *byte == b'{') else {
         return (word == text).then(Filled::default);

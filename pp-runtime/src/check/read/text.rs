@@ -202,7 +202,7 @@ impl<'a> Cursor<'a> {
         self.signed(|at, text| at.short_digits(text).filter(|digits| !goes_on(digits)).or_else(|| long_digits(text)))
     }
 
-    /// The same for a number of no more than eight bytes after its sign, as nearly every one is. It is one if neither a digit
+    /// Takes a number of no more than eight bytes after its sign, as nearly every one is. It is one if neither a digit
     /// nor a point comes next.
     #[inline(always)]
     pub(super) fn short_number(&mut self) -> Option<Number> {
@@ -360,7 +360,7 @@ mod tests {
         Some((value.to_bits(), point, negative, at.column()))
     }
 
-    /// The same by the standard library.
+    /// Number at the start of a text, and its end, by the standard library.
     fn expected(text: &[u8]) -> Option<(u64, bool, bool, usize)> {
         let text = std::str::from_utf8(text).expect("ASCII");
         let rest = text.strip_prefix(['-', '+']).unwrap_or(text);

@@ -41,7 +41,7 @@ pub(crate) struct Stroke {
 }
 
 impl Stroke {
-    /// The same with the speed of the tip in the block, where that is measured.
+    /// This stroke with the speed of the tip in the block, where that is measured.
     pub(crate) fn with_tip_rate(self, deviation: Option<&Deviation>, required: &Required) -> Self {
         let rate_mm = deviation.map_or(0.0, |found| found.tip_rate_mm);
         if rate_mm > 0.0 { Self { tip_rate_mm: tip_rates(rate_mm, required), ..self } } else { self }

@@ -136,7 +136,7 @@ impl Rules<'_> {
         here.is_some_and(|here| self.is_near(here, &segment.to, [times, 1.0]))
     }
 
-    /// The same for a motion of which only the end is known: no path allows more.
+    /// Whether a motion of which only the end is known may need no block: no path allows more.
     pub(crate) fn may_need_no_block(&self, here: &ToolPose, to: &ToolPose, chords: f64) -> bool {
         self.is_near(here, to, [drift(chords), 1.0])
     }
@@ -157,7 +157,7 @@ impl Rules<'_> {
         self.share_within(segment, rapid, block, (before, end), arrival)
     }
 
-    /// The same for an arc, and where the block does not end with the motion.
+    /// Share that is done of an arc, or by a block that does not end with the motion.
     #[inline(never)]
     fn share_within(
         &self,

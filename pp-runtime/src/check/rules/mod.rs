@@ -68,7 +68,7 @@ pub(super) struct Rules<'a> {
     units: Units,
     /// States of a program before that must be ended: bits of `settled`.
     left_over: u32,
-    /// The same of the frames that the program has used.
+    /// States of the frames that the program has used: bits of `settled`.
     frames_used: u32,
     /// Work offset of each set-up.
     offsets: Vec<(u32, WorkOffset)>,
@@ -199,7 +199,7 @@ impl<'a> Rules<'a> {
         self.moved_by_more(self.words.rotary(), 0.5 * self.rounding.unit_rad, (before, known, block))
     }
 
-    /// The same for every axis; rounding hides no motion of a linear one.
+    /// All axes that a block moves, as [`moved`](Self::moved); rounding hides no motion of a linear one.
     pub(super) fn all_moved(&self, before: &[f64; MAX_AXES], known: u16, block: &Block) -> u16 {
         let linear = (0..MAX_AXES).filter(|index| self.words.rotary_bits() & (1 << index) == 0);
         self.moved(before, known, block) | self.moved_by_more(linear, SAME_LINEAR_WORD, (before, known, block))
@@ -283,7 +283,7 @@ impl<'a> Rules<'a> {
         self.is_near(here, there, [1.0; 2])
     }
 
-    /// The same with multiples of the allowances for tip and tool axis.
+    /// Whether a pose is another within multiples of the allowances for tip and tool axis.
     pub(super) fn is_near(&self, here: &ToolPose, there: &ToolPose, [tip, axis]: [f64; 2]) -> bool {
         (here.tip - there.tip).norm() <= tip * self.rounding.tip_mm && self.is_axis_near(&here.axis, &there.axis, axis)
     }

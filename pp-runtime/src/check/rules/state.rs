@@ -117,7 +117,7 @@ impl Rules<'_> {
         self.tool_first(found, state, required)
     }
 
-    /// The same without the tool.
+    /// At the part, on the path of the CL data, without the tool.
     pub(crate) fn fault_in_cut(&self, block: &Block, required: &Required, context: ModalContext) -> Option<StateFault> {
         let (state, context) = (&block.state, ModalContext { in_thread: block.action.is_thread(), ..context });
         let offset_path = required.side != SideOfPath::None;

@@ -252,7 +252,7 @@ impl MachineWords {
         self.chain.tip_and_shifts(&self.values(words), &steps.map(|[from, to]| self.change(from, to)))
     }
 
-    /// The same where linear words count in a frame.
+    /// Pose of words where the linear ones count in a frame.
     #[inline(never)]
     fn place_in_frame(&self, words: &[f64; MAX_AXES], state: &State) -> ToolPose {
         match (&state.tip_control, &state.tilt) {
@@ -311,7 +311,7 @@ impl MachineWords {
         self.xyz().iter().all(Option::is_some) && self.chain.is_perpendicular(values, set_bits(self.linear_bits()))
     }
 
-    /// The same with the rotary words that the control has chosen.
+    /// Axis values after a block, with the rotary words that the control has chosen.
     pub(crate) fn axes_with_rotary(&self, words: &[f64; MAX_AXES], state: &State) -> Option<[f64; MAX_AXES]> {
         let values = self.values(words);
         match (&state.tip_control, &state.tilt) {
@@ -385,7 +385,7 @@ impl MachineWords {
         self.positions(&from.axis).filter_map(change).collect()
     }
 
-    /// The same near a pole, where the first rotary axis may rotate by any angle up to `largest_rad`, and the other one may go
+    /// Largest motion of the axes near a pole, where the first rotary axis may rotate by up to `largest_rad`, and the other one may go
     /// through the pole.
     pub(crate) fn changes_near_pole(&self, [from, to]: [&ToolPose; 2], largest_rad: f64) -> Vec<[f64; MAX_AXES]> {
         let Some(first) = self.rotary().next() else { return Vec::new() };

@@ -50,7 +50,7 @@ impl Travel {
         }
     }
 
-    /// The same where linear axes follow the rotary ones, or the path is no line. `rotated`: words before the block with the rotary
+    /// Whether linear axes that follow the rotary ones, or a path that is no line, stay within the limits. `rotated`: words before the block with the rotary
     /// axes as the control has rotated them.
     #[inline(never)]
     fn follow(

@@ -520,7 +520,7 @@ mod tests {
 
     use super::*;
 
-    /// The same as [`angle_within_revolution`], without the test of chords that are clearly not short.
+    /// [`angle_within_revolution`] without the test of chords that are clearly not short.
     fn angle_by_chord(u: Vector3<f64>, v: Vector3<f64>, n: Vector3<f64>, rise_mm: f64, stated: bool) -> Option<f64> {
         let (chord, around) = ((v - u).norm(), (v * (u.norm() / v.norm()) - u).norm());
         let short = around < SHORTEST_CHORD_MM;

@@ -92,7 +92,7 @@ options! {
         units_confirmed: bool = false;
         /// Point of the tool that the CL data programs: "tip", or "centre" of the corner radius.
         cl_point: ClPoint = ClPoint::Tip, key("cl_point", OneOf(&ClPoint::NAMES));
-        /// The same by tool number, where it differs.
+        /// Programmed point by tool number, where it differs.
         cl_point_of: BTreeMap<u32, ClPoint> = BTreeMap::new();
         /// Tool that cuts before the first tool call.
         default_tool: Option<u32> = None;

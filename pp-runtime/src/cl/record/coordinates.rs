@@ -17,7 +17,7 @@ pub enum FrameBase {
     Model,
     /// The workpiece frame, in which the points are without it: MCSYS.
     Workpiece,
-    /// The same in the output of Autodesk: MCS. That of Surfcam is a view, and the points may not be in it.
+    /// The workpiece frame in the output of Autodesk: MCS. That of Surfcam is a view, and the points may not be in it.
     WorkpieceOrView,
 }
 

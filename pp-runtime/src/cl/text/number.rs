@@ -47,7 +47,7 @@ pub(super) struct ShortNumber {
     pub(super) value: f64,
     /// Index of the byte after the number.
     pub(super) end: usize,
-    /// The same for all numbers with sign, digits and point at the same places.
+    /// Equal for all numbers with sign, digits and point at the same places.
     pub(super) mark: u64,
 }
 
@@ -94,7 +94,7 @@ impl DigitPlaces {
         scale: 1.0,
     };
 
-    /// The same in a text in which the number begins at an index.
+    /// These places in a text in which the number begins at an index.
     pub(super) fn after(self, start: usize) -> Self {
         Self { at: self.at + start, decimals_at: self.decimals_at + start, ..self }
     }

@@ -144,7 +144,7 @@ pub struct Spellings {
     pub longest_dwell: u32,
     /// Smoothing on, for roughing, medium and finishing; empty if only `safety` can switch it on.
     pub smoothing: [&'static [&'static str]; 3],
-    /// The same with a tolerance for rotary axes; empty where it is a word of these blocks, or smoothing has none.
+    /// Smoothing on with a tolerance for rotary axes; empty where it is a word of these blocks, or smoothing has none.
     pub smoothing_with_angle: [&'static [&'static str]; 3],
     /// Smoothing off.
     pub smoothing_off: &'static [&'static str],

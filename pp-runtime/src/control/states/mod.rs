@@ -44,15 +44,15 @@ pub(crate) enum StateHandling {
     InWord(&'static str),
     /// The safety blocks set it, by this code.
     Set(&'static str),
-    /// The same where the control has the function; elsewhere it is a condition.
+    /// The safety blocks set it where the control has the function; elsewhere it is a condition.
     SetWhere(ControlFunction, &'static str),
     /// A guard compares it, by this; without the guard it is a condition.
     Compared(&'static str, &'static str),
     /// It is a condition, as the header states it.
     Stated(&'static str),
-    /// The same, unless an option has it settled.
+    /// It is a condition, unless an option has it settled.
     StatedUnless(Settled, &'static str),
-    /// The same, which is part of a line that the header has of its own.
+    /// It is a condition that is part of a line that the header has of its own.
     Noted(fn(&Spellings) -> &'static str),
 }
 

@@ -36,7 +36,7 @@ fn integer(shifted: f64) -> i64 {
     shifted.to_bits().wrapping_sub(SHIFT.to_bits()).cast_signed()
 }
 
-/// The same as [`rounded`] for a value below `most`, which is [`LARGEST_SHIFTED`] at most; `None` for any other, and for NaN.
+/// [`rounded`] of a value below `most`, which is [`LARGEST_SHIFTED`] at most; `None` for any other, and for NaN.
 #[inline(always)]
 pub(crate) fn rounded_below(value: f64, most: f64) -> Option<i64> {
     let shifted = value + SHIFT;
@@ -47,7 +47,7 @@ pub(crate) fn rounded_below(value: f64, most: f64) -> Option<i64> {
     None
 }
 
-/// The same as [`rounded`] for any number: a half, or a large one.
+/// [`rounded`] of any number, also of a half or a large one.
 #[cold]
 fn rounded_in_steps(value: f64) -> i64 {
     let whole = value as i64;

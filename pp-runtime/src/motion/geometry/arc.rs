@@ -155,7 +155,7 @@ impl<'a> ArcGeometry<'a> {
         self.range_beyond(axis, (across, rise_mm), ends, known)
     }
 
-    /// The same of an arc whose circle is not known to be within.
+    /// Lowest and highest coordinate of an arc whose circle is not known to be within.
     #[inline(never)]
     fn range_beyond(
         &self,
@@ -388,7 +388,7 @@ mod tests {
             }
         }
 
-        /// The same of arcs in a plane whose ends are equally far from the centre to the last bit.
+        /// So is the box of arcs in a plane whose ends are equally far from the centre to the last bit.
         #[test]
         fn the_box_around_arcs_with_equal_radii_is_that_of_their_boxes(
             arcs in prop::collection::vec(

@@ -110,7 +110,7 @@ impl OffsetContour {
         Ok(contour)
     }
 
-    /// The same on a control that takes corners as straight on: the largest one, and the angle by which an arc may become longer.
+    /// This contour on a control that takes corners as straight on: the largest one, and the angle by which an arc may become longer.
     pub(crate) fn with_straight_corners(mut self, straight_rad: [f64; 2]) -> Self {
         self.straight_rad = straight_rad;
         self
@@ -233,7 +233,7 @@ impl OffsetElement {
         math::atan2(cross(from, to), dot(from, to)) * self.length_mm / sweep_rad
     }
 
-    /// The same in its direction.
+    /// Length of the offset from a point of it to another, in its direction: up to a revolution.
     fn between(&self, from: InPlane, to: InPlane) -> f64 {
         let ahead = self.ahead(from, to);
         match self.element.arc {

@@ -73,7 +73,7 @@ impl Datum {
         self.shifts[index]
     }
 
-    /// The same of all axes; of rotary ones the written word minus the word, in units.
+    /// Words minus values of all axes; of rotary ones the written word minus the word, in units.
     #[inline]
     pub(crate) fn shifts(&self) -> &AxisValues {
         &self.shifts

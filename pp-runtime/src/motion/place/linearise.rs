@@ -75,7 +75,7 @@ pub(crate) enum RotationLaw {
     Even,
     /// As the tool axis rotates evenly in the plane of its ends.
     GreatCircle,
-    /// The same, in step with the tip: the tool axis keeps to its tolerance from the programmed one where the tip is.
+    /// On the great circle in step with the tip: the tool axis keeps to its tolerance from the programmed one where the tip is.
     InStep,
 }
 

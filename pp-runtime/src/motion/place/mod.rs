@@ -321,7 +321,7 @@ impl Placer {
         self.linear.keeps_path_length || self.frame.counts_tip()
     }
 
-    /// The same for a motion of linear axes that ends here.
+    /// Whether the path length of the words of a motion of linear axes that ends here equals that of the tip.
     pub(crate) fn keeps_path_length_at(&self, at: &AxisPosition) -> bool {
         self.keeps_path_length() || self.orthogonal_map(at).is_some()
     }
@@ -527,7 +527,7 @@ impl Placer {
         self.solve_linear_in_travel(place)
     }
 
-    /// The same as [`Placer::solve_linear`], and compares the travel.
+    /// [`Placer::solve_linear`] with the travel compared.
     #[inline(always)]
     fn solve_linear_in_travel(&mut self, place: &mut AxisPosition) -> Result<(), Fault> {
         self.solve_linear(place)?;
@@ -555,7 +555,7 @@ impl Placer {
         Ok(())
     }
 
-    /// The same where the words are coordinates of the tip in a frame.
+    /// Computes the words where they are coordinates of the tip in a frame.
     fn solve_in_frame(&self, place: &mut AxisPosition) -> Result<(), Fault> {
         self.frame.map(&*self.machine, &place.axes).map_or(Ok(()), |map| self.solve_tip(place, &map))
     }

@@ -64,7 +64,7 @@ impl Placer {
         self.known_map(at).map(|(solved, known)| (solved, known.map))
     }
 
-    /// The same with what is known about the derivative.
+    /// [`axis_map`](Self::axis_map) with what is known about the derivative.
     #[inline(always)]
     fn known_map(&self, at: &AxisPosition) -> Option<([usize; 3], Ref<'_, AxisMap>)> {
         let solved = *self.linear.solved.first_chunk()?;
@@ -124,7 +124,7 @@ impl Placer {
         self.needs_none_between(solved, [0, 1, 2].map(along))
     }
 
-    /// The same of linear axes between two values each. Rounding to words changes no order, so what holds for both holds for all
+    /// Whether linear axes between two values each need no further travel. Rounding to words changes no order, so what holds for both holds for all
     /// values between them.
     fn needs_none_between(&self, solved: [usize; 3], ranges: [[f64; 2]; 3]) -> bool {
         let fits = |(index, [low, high]): (usize, [f64; 2])| {

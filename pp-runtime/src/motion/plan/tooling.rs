@@ -20,7 +20,7 @@ pub(crate) struct Tooling {
     before_skip: Option<LoadedTool>,
     /// Number of the last tool called before them.
     called_before_skip: Option<u32>,
-    /// The same after them, until a tool is called.
+    /// Number of the last tool called if they are skipped, until a tool is called.
     called_if_skipped: Option<u32>,
     /// Another tool may be in the spindle, as blocks were skipped or not.
     uncertain: bool,

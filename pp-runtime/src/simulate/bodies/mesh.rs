@@ -42,7 +42,7 @@ impl Mesh {
         mesh.flaw().map_or(Ok(mesh), |flaw| Err(MeshFault(flaw)))
     }
 
-    /// The same for a surface that may be open or inside out.
+    /// Reads an STL file with a surface that may be open or inside out.
     ///
     /// # Errors
     /// A sentence about a file that is no STL file, or too large.

@@ -379,7 +379,7 @@ impl StockLine<'_> {
         self.design.surface.distance(place(self.family, self.across, at), along)
     }
 
-    /// The same, negative inside.
+    /// Distance from the surface of the design, negative inside.
     fn signed(&self, at: f64, solid: &[[f64; 2]]) -> f64 {
         let inside = solid.iter().any(|[low, high]| *low < at && at < *high);
         let distance = self.distance(at, solid);

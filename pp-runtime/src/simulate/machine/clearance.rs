@@ -22,7 +22,7 @@ use crate::kinematics::{AxisRanges, AxisValues, MAX_AXES};
 /// Part of a motion within which bodies move against each other by no more than this is not divided, mm.
 const RESOLUTION_MM: f64 = 0.01;
 
-/// The same for the box of a motion whose axes arrive in any order.
+/// Part of the box of a motion whose axes arrive in any order within which bodies move by no more than this is not divided, mm.
 const BOX_RESOLUTION_MM: f64 = 0.5;
 
 /// Divisions of such a box, and halvings of a motion: at most.

@@ -322,7 +322,7 @@ impl Bodies {
         distance(&a.1, &moved(&b.1, &self.links.between(a.0, b.0, values)))
     }
 
-    /// The same; far away a lower bound.
+    /// Distance of two bodies at a position; far away a lower bound.
     fn near(&self, pair: [usize; 2], values: &AxisValues) -> f64 {
         let [a, b] = pair.map(|index| &self.meshes[index]);
         let place = self.links.between(a.0, b.0, values);

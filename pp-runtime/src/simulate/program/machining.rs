@@ -92,7 +92,7 @@ impl<'a> Machining<'a> {
         }
     }
 
-    /// The same; the removal is kept for a page.
+    /// This machining with the removal kept for a page.
     pub(crate) fn recorded(self) -> Self {
         Self { recording: Some(Recording::of(&self.stock, self.set_up)), ..self }
     }

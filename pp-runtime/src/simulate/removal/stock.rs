@@ -532,7 +532,7 @@ impl TriDexel {
         contacts
     }
 
-    /// The same, showing each part of a line that a piece meets; those of a line in the order of the pieces.
+    /// Cuts the stock and shows each part of a line that a piece meets; those of a line in the order of the pieces.
     pub(crate) fn cut_and_show(
         &mut self,
         pieces: &[SweptPiece],

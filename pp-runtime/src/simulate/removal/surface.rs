@@ -70,7 +70,7 @@ impl TriDexel {
         (vertices, faces)
     }
 
-    /// The same with values of the ends of its lines.
+    /// Its surface as triangles, with values of the ends of its lines.
     pub(crate) fn marked_surface(&self, ends: &EndValues) -> MarkedSurface {
         let counts = self.counts();
         let mut nets = Nets { stock: self, counts, ends, surface: MarkedSurface::default() };

@@ -101,13 +101,13 @@ impl SweptPiece {
         }
     }
 
-    /// The same for a tool that is larger on all sides by a distance, or smaller, mm.
+    /// This motion of a tool that is larger on all sides by a distance, or smaller, mm.
     #[must_use]
     pub fn grown(self, by_mm: f64) -> Self {
         Self { grow: by_mm, ..self }
     }
 
-    /// The same, removing nothing.
+    /// This motion, removing nothing.
     #[must_use]
     pub fn touching(self) -> Self {
         Self { test_only: true, ..self }
@@ -131,7 +131,7 @@ impl SweptPiece {
         (along(&self.tip, &self.travel, share), axis.map(|component| component / size))
     }
 
-    /// The same with the coordinates across a line first, and that along it last.
+    /// This motion with the coordinates across a line first, and that along it last.
     pub(super) fn permuted(&self, line: usize) -> Self {
         let order = |v: &[f64; 3]| [v[(line + 1) % 3], v[(line + 2) % 3], v[line]];
         let Self { tip, travel, axis, turn, .. } = self;

@@ -18,7 +18,7 @@ pub(in super::super) enum Means {
     Machine,
     Plane(WorkPlane),
     Units(Units),
-    /// The same, of F as well.
+    /// Units of words and of F.
     UnitsOfFeed(Units),
     Distances {
         incremental: bool,

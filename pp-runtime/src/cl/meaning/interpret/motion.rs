@@ -65,7 +65,7 @@ impl RecordInterpreter {
         if self.options.always_tip() { Ok(pose) } else { self.tip_of_tool(pose, at) }
     }
 
-    /// The same, as it is set for the present tool.
+    /// Pose of the tool tip, by the point that is set for the present tool.
     fn tip_of_tool(&self, pose: Pose, at: Span) -> Result<Pose, ClFault> {
         let number = self.tool.current().map(|tool| tool.number).or(self.options.default_tool);
         let given = number.and_then(|number| self.options.cl_point_of.get(&number)).copied();

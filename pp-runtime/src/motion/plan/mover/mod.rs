@@ -347,7 +347,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.feed_in_step(place, rate, self.block_to(place), tolerance)
     }
 
-    /// The same; `block`: the motion in one block.
+    /// [`feed_in_pieces`](Self::feed_in_pieces) with the motion in one block, `block`.
     #[inline(always)]
     fn feed_in_step(
         &mut self,
@@ -369,7 +369,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.feed_piece((place, tip_rate), rate, block, None)
     }
 
-    /// The same where one block does not certify.
+    /// Writes the feed motion in several blocks, where one does not certify.
     fn feed_in_several(&mut self, place: &AxisPosition, rate: f64, tolerance: PathTolerance) -> Planned {
         let mut pieces = Linearised::new(self.here(), place, tolerance, self.law);
         let mut blocks = 0;
@@ -403,7 +403,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         }
     }
 
-    /// The same, where the tip rests and the tool axis has a tolerance.
+    /// Adds up the rotation of a block in which the tip rests and the tool axis has a tolerance.
     #[cold]
     fn rotate_on_spot(&mut self, to: &AxisPosition, block: BlockMotion, tolerance: PathTolerance) -> Result<(), Fault> {
         if angle_between(&self.here().pose.axis, &to.pose.axis) > tolerance.axis_rad {
