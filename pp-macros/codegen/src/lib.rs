@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 //!
-//! The proc-macro crate only calls [`expand_with`]. Same input, same tokens: no I/O, no counters, no clock, no environment, no hash order.
+//! The proc-macro crate only calls [`expand_with`]. Same input, same tokens: no I/O, no counters, no clock, no
+//! environment, no hash order.
 // A library returns its errors and leaves output to its caller.
 #![cfg_attr(
     not(test),

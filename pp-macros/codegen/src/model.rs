@@ -11,7 +11,8 @@ use crate::symbolic::{Matrix, Poly, PolyVector, Ring, Surd, Symbol, rotation, tr
 /// Index of an axis in the chain, counted from the workpiece.
 pub type AxisId = usize;
 
-/// Local variables of generated functions, of Rust and of C; a dimension with one of these names gets another name there.
+/// Local variables of generated functions, of Rust and of C; a dimension with one of these names gets another name
+/// there.
 pub(crate) const LOCALS: &[&str] = &[
     "axes",
     "axis",
@@ -128,8 +129,8 @@ pub struct Dimension {
     pub name: String,
     /// Default in mm or degrees; `None` if each machine has its own (`required`).
     pub default: Option<BigRational>,
-    /// Approximate value of a required angle, degrees: the order of the two solutions is fixed there. An angle without it
-    /// and without default is one that only directions of linear axes depend on.
+    /// Approximate value of a required angle, degrees: the order of the two solutions is fixed there. An angle without
+    /// it and without default is one that only directions of linear axes depend on.
     pub near: Option<BigRational>,
     /// Its symbols in the formulas.
     pub quantity: Quantity,

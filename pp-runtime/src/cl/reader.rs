@@ -24,8 +24,8 @@ pub trait ReadSeek: Read + Seek {}
 
 impl<T: Read + Seek + ?Sized> ReadSeek for T {}
 
-/// If the unit mm is given by the caller only and no cutter of the file reaches this diameter, the file seems to be in inch:
-/// an error, or a warning if the unit is given for this file.
+/// If the unit mm is given by the caller only and no cutter of the file reaches this diameter, the file seems to be in
+/// inch: an error, or a warning if the unit is given for this file.
 const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;
 
 /// Reads CL data and returns its events one by one.
@@ -113,7 +113,8 @@ impl<R: Read> ClReader<R> {
         Ok(Some((here, event)))
     }
 
-    /// Reads the events of a batch: as many as it holds, or the rest. With the last of them come the facts about the file.
+    /// Reads the events of a batch: as many as it holds, or the rest. With the last of them come the facts about the
+    /// file.
     pub(super) fn fill(&mut self, batch: &mut Batch) {
         batch.clear();
         loop {
@@ -149,11 +150,12 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// Takes the next statements as long as each is a GOTO on a line of its own that is a straight motion, as nearly every one is, and
-    /// there are places for their events; returns their number.
+    /// Takes the next statements as long as each is a GOTO on a line of its own that is a straight motion, as nearly
+    /// every one is, and there are places for their events; returns their number.
     #[inline(never)]
     fn straights(&mut self, places: &mut [(Location, QueuedEvent)]) -> usize {
-        // A straight motion changes nothing that this depends on. Where statements are continued, so is probably the next one.
+        // A straight motion changes nothing that this depends on. Where statements are continued, so is probably the
+        // next one.
         if self.joined_in_a_row > 1 || !self.takes_lines() {
             return 0;
         }
@@ -175,7 +177,8 @@ impl<R: Read> ClReader<R> {
         if self.takes_lines() { self.next_unless_straight(place) } else { self.next_of_any_kind(false, place) }
     }
 
-    /// Makes the next event where its statement is probably no straight motion on a line of its own; if it is, it is read as any other.
+    /// Makes the next event where its statement is probably no straight motion on a line of its own; if it is, it is
+    /// read as any other.
     fn next_unless_straight(&mut self, place: &mut (Location, QueuedEvent)) -> io::Result<bool> {
         match self.take_arc_or_hole() {
             NextMotion::Motion(here, arc) => {
@@ -222,8 +225,8 @@ impl<R: Read> ClReader<R> {
             && !self.faults.failed()
     }
 
-    /// Takes the next statement if it is a CIRCLE on a line of its own, or a GOTO on such a line that ends an arc or is a hole. The
-    /// GOTO after a CIRCLE is taken with it: then it is the arc, if no event is queued before it.
+    /// Takes the next statement if it is a CIRCLE on a line of its own, or a GOTO on such a line that ends an arc or is
+    /// a hole. The GOTO after a CIRCLE is taken with it: then it is the arc, if no event is queued before it.
     #[inline(always)]
     fn take_arc_or_hole(&mut self) -> NextMotion<Arc> {
         let mut taken = NextMotion::None;

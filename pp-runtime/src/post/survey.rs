@@ -99,7 +99,8 @@ pub struct Stretches {
     pub held: u64,
     /// The tool axis turns at feed.
     pub turning: u64,
-    /// The tool axis turns at feed here and in the stretch before it in its operation: a link may lead from one to the other.
+    /// The tool axis turns at feed here and in the stretch before it in its operation: a link may lead from one to the
+    /// other.
     pub linked: u64,
 }
 

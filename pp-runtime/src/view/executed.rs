@@ -1,7 +1,8 @@
 //! The executed program as points: ends of motions, as the check's reader understands the written text.
 //!
-//! A point has the axis values, tip and tool axis, and belongs to a line of the program. Arcs, tool vectors and rotations are
-//! divided until a straight motion of the axes and a straight line of the tip both keep to the path within the tolerance.
+//! A point has the axis values, tip and tool axis, and belongs to a line of the program. Arcs, tool vectors and
+//! rotations are divided until a straight motion of the axes and a straight line of the tip both keep to the path
+//! within the tolerance.
 //!
 //! The position of the machine is followed in machine coordinates. A block whose words are not all known, such as the
 //! approach after a retract to a machine position, begins where the machine is. Where that is unknown, too, there is no
@@ -208,8 +209,8 @@ impl ExecutedMotion<'_> {
         (self.at)(share, near).axes
     }
 
-    /// Certified smallest and largest axis values between two shares and the values there; `None` where the part must be
-    /// divided.
+    /// Certified smallest and largest axis values between two shares and the values there; `None` where the part must
+    /// be divided.
     pub(crate) fn axis_ranges(&self, shares: [f64; 2], ends: [&AxisValues; 2]) -> Option<AxisRanges> {
         self.bounds.ranges(shares, ends)
     }

@@ -1,5 +1,5 @@
-//! The head of the page's data: machine, tools, operations, set-ups, findings. Lengths in mm, angles in degrees, times in
-//! seconds, feeds and speeds per minute.
+//! The head of the page's data: machine, tools, operations, set-ups, findings. Lengths in mm, angles in degrees, times
+//! in seconds, feeds and speeds per minute.
 
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;

@@ -1,5 +1,5 @@
-//! `view` and `report`: the data of the page compared with the check's reader, with the oracle's matrices and with the CL data;
-//! text from outside, edited programs, sizes, and the set-up sheets.
+//! `view` and `report`: the data of the page compared with the check's reader, with the oracle's matrices and with the
+//! CL data; text from outside, edited programs, sizes, and the set-up sheets.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -437,7 +437,8 @@ fn motions_to_machine_positions_are_listed_where_the_machine_zero_is_unknown() {
     assert!((0..page.points()).all(|point| !listed.contains(&page.line(point))));
 }
 
-/// Axis values of a program for LinuxCNC, followed word by word: mm and degrees, in the order of the chain; `None`: unknown.
+/// Axis values of a program for LinuxCNC, followed word by word: mm and degrees, in the order of the chain; `None`:
+/// unknown.
 struct Followed {
     oracle: Oracle,
     letters: Vec<char>,

@@ -120,8 +120,8 @@ impl PathSoFar<'_> {
     }
 }
 
-/// Adds the paths of `tokens`, each as its names from the root of the crate; `place`: the module that has them. What is not found from
-/// the root is taken as a path in that module.
+/// Adds the paths of `tokens`, each as its names from the root of the crate; `place`: the module that has them. What is
+/// not found from the root is taken as a path in that module.
 fn paths(tokens: TokenStream, place: &[String], found: &mut Vec<Vec<String>>) {
     let tokens: Vec<TokenTree> = without_tests(tokens);
     let mut rest = &tokens[..];

@@ -192,8 +192,8 @@ fn check_offsets(declaration: &Declaration, axes: &[Axis], errors: &mut Errors) 
     }
 }
 
-/// Refuses an angle of unknown size that a rotary axis or the tool depends on: the order of the two solutions is fixed at
-/// its default or approximate value.
+/// Refuses an angle of unknown size that a rotary axis or the tool depends on: the order of the two solutions is fixed
+/// at its default or approximate value.
 fn check_required_angles(declaration: &Declaration, dimensions: &[Dimension], errors: &mut Errors) {
     for dimension in dimensions.iter().filter(|dimension| dimension.known().is_none()) {
         let name = &dimension.name;

@@ -1,6 +1,7 @@
 //! A solved and proven machine as Rust, and as C for other places. Nothing here can fail.
 //!
-//! Generated Rust names only `::core` and the runtime (`::pp_runtime`, or the path of the field `crate`), allocates nothing and contains no loop.
+//! Generated Rust names only `::core` and the runtime (`::pp_runtime`, or the path of the field `crate`), allocates
+//! nothing and contains no loop.
 
 mod body;
 mod c;

@@ -1,9 +1,11 @@
 //! Tool axes within the declared travel of the rotary axes, branch by branch.
 //!
-//! A wrong sign or travel shows here: the branch in which the machine works has no travel, or another cone than the machine.
+//! A wrong sign or travel shows here: the branch in which the machine works has no travel, or another cone than the
+//! machine.
 //!
-//! With the joint angle `θ` of the second rotary, `n·b = α0 + R cos(θ - φ)`, `φ = atan2(α2, α1)`, `R = √(α1² + α2²)`: on one
-//! branch `θ - φ` is in [0°, 180°], on the other in [-180°, 0°], and on each the angle to the first rotary is monotone.
+//! With the joint angle `θ` of the second rotary, `n·b = α0 + R cos(θ - φ)`, `φ = atan2(α2, α1)`, `R = √(α1² + α2²)`:
+//! on one branch `θ - φ` is in [0°, 180°], on the other in [-180°, 0°], and on each the angle to the first rotary is
+//! monotone.
 
 use std::collections::BTreeMap;
 

@@ -350,8 +350,8 @@ fn assumptions(scope: &Scope<'_>, block: &Verify) -> Vec<String> {
     assumptions
 }
 
-/// Equations of a block that hold in a part of the poses only, by their place in the block. They describe one solution, so
-/// these parts have a pose in common: the formulas of the two branches are never mixed.
+/// Equations of a block that hold in a part of the poses only, by their place in the block. They describe one solution,
+/// so these parts have a pose in common: the formulas of the two branches are never mixed.
 #[derive(Default)]
 struct OneSolution {
     parts: Vec<(usize, Region)>,
@@ -373,7 +373,8 @@ impl OneSolution {
     }
 }
 
-/// The message of an equation that holds at no pose at which those before it do; `other` is the one that it contradicts.
+/// The message of an equation that holds at no pose at which those before it do; `other` is the one that it
+/// contradicts.
 fn contradiction(
     block: &Verify,
     place: usize,

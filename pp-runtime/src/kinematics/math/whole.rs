@@ -2,8 +2,8 @@
 
 use wide::f64x2;
 
-/// 2^52 + 2^51: the sum with a smaller number than 2^51 has no bits after the point, and its lowest bits are those of the nearest
-/// whole number.
+/// 2^52 + 2^51: the sum with a smaller number than 2^51 has no bits after the point, and its lowest bits are those of
+/// the nearest whole number.
 const SHIFT: f64 = 6_755_399_441_055_744.0;
 
 /// 2^51.

@@ -192,7 +192,8 @@ impl Position {
         self.stopped = false;
     }
 
-    /// Forgets the position at a stop: what has moved needs no further one. `configured`: the configuration asks for it.
+    /// Forgets the position at a stop: what has moved needs no further one. `configured`: the configuration asks for
+    /// it.
     pub(crate) fn stop(&mut self, configured: bool) {
         self.forget();
         self.worked = false;

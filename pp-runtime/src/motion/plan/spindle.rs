@@ -42,8 +42,8 @@ impl PlannedSpindle {
         }
     }
 
-    /// Another tool is called; it does not take over the speed of the last one. A request since the last operation belongs to
-    /// the `first` tool called after it.
+    /// Another tool is called; it does not take over the speed of the last one. A request since the last operation
+    /// belongs to the `first` tool called after it.
     pub(crate) fn change_tool(&mut self, first: bool) {
         self.request = if first { self.between } else { SpindleRequest::default() };
     }

@@ -167,8 +167,8 @@ impl TestSolid {
     }
 }
 
-/// Bodies of a machine: one for each link, about where they can meet. Some of those on rotary axes are turned about their
-/// centre lines.
+/// Bodies of a machine: one for each link, about where they can meet. Some of those on rotary axes are turned about
+/// their centre lines.
 fn solids(random: &mut Random, machine: &dyn AnyMachine, links: &MachineLinks) -> Vec<TestSolid> {
     let mut all = Vec::new();
     for (joint, axis) in machine.axes().iter().enumerate() {

@@ -142,8 +142,8 @@ impl RecordInterpreter {
         Ok(())
     }
 
-    /// Notes that the next motion cuts, unless it is a rapid. Where points may be centres, they are those of the cutter described last
-    /// in rapids, too.
+    /// Notes that the next motion cuts, unless it is a rapid. Where points may be centres, they are those of the cutter
+    /// described last in rapids, too.
     #[inline(always)]
     fn note_cut(&mut self) {
         if self.tool.is_described_anew() && !(self.path.is_rapid() && self.options.always_tip()) {
