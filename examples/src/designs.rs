@@ -1,7 +1,7 @@
 //! Designs of the parts as triangles: the surfaces that their tools touch.
 //!
-//! Lengths are in mm, in the coordinates of the CL data. A design is a closed body: [`TOLERANCE_MM`] is the largest distance of
-//! its triangles from the surface. `cargo run -p examples --bin generate_designs` writes the STL files.
+//! Lengths are in mm, in the coordinates of the CL data. A design is a closed body: [`TOLERANCE_MM`] is the largest
+//! distance of its triangles from the surface. `cargo run -p examples --bin generate_designs` writes the STL files.
 
 use core::f64::consts::TAU;
 use std::io::{self, Write};
@@ -57,7 +57,8 @@ fn chords(length: f64, radius: f64, distance: f64) -> usize {
     (length / (8.0 * radius * distance).sqrt()).ceil().max(1.0) as usize
 }
 
-/// A block with a free-form surface on top, raised by a distance, between `-half` and `half` of the surface, down to `floor`.
+/// A block with a free-form surface on top, raised by a distance, between `-half` and `half` of the surface, down to
+/// `floor`.
 #[must_use]
 pub fn under_surface(surface: &Surface, raised: f64, floor: f64) -> Solid {
     let half = surface.half_mm;

@@ -1,7 +1,7 @@
 //! Sample CL data: the parts of the source papers, in the forms of NX, CATIA and Creo.
 //!
-//! [`parts`] holds the geometry, [`cl_writer`] the three dialects, [`designs`] the surfaces as triangles; [`files`] returns the files of `examples/cl/`.
-//! `cargo run -p examples --bin generate_cl` writes these files again.
+//! [`parts`] holds the geometry, [`cl_writer`] the three dialects, [`designs`] the surfaces as triangles; [`files`]
+//! returns the files of `examples/cl/`. `cargo run -p examples --bin generate_cl` writes these files again.
 // A library returns its errors and leaves output to its caller.
 #![cfg_attr(
     not(test),

@@ -12,8 +12,8 @@ machine! {
     dims = { d: 150.0 };
     limits = { B: 0..180, C: free };
 
-    // (6) and (7) are printed for any alpha, but for the B axis of the paper, (0, cos(alpha), sin(alpha)), they are correct at
-    // 45° only. For any alpha, with the axis `Rx(alpha) * Y`, these follow:
+    // (6) and (7) are printed for any alpha, but for the B axis of the paper, (0, cos(alpha), sin(alpha)), they are
+    // correct at 45° only. For any alpha, with the axis `Rx(alpha) * Y`, these follow:
     //     B = acos((k - sin(alpha)^2) / cos(alpha)^2)
     //     C = atan2(j * cos(alpha) * sin(B) - i * sin(alpha) * cos(alpha) * (1 - cos(B)),
     //               i * cos(alpha) * sin(B) + j * sin(alpha) * cos(alpha) * (1 - cos(B)))

@@ -9,8 +9,9 @@ machine! {
     signs = { A: -, Y: - };
     limits = { A: free };
 
-    // (15) to (17) are printed with open constants a_i, b_i, c_i, and (15) without X, on which x depends. Here the centre line of
-    // A is at (y_a, z_a) = (-part_y, -part_z) in workpiece coordinates. (18) is A; the inverse of (15) to (17) follows it.
+    // (15) to (17) are printed with open constants a_i, b_i, c_i, and (15) without X, on which x depends. Here the
+    // centre line of A is at (y_a, z_a) = (-part_y, -part_z) in workpiece coordinates. (18) is A; the inverse of (15)
+    // to (17) follows it.
     verify "Maletić and Živanović 2023, MultiProDesk A'Y'OXZ, eqs. (12)-(18)" {
         i = 0;
         j = sin(A);

@@ -3,8 +3,8 @@ use pp_runtime::machine;
 machine! {
     /// Spinner U5-620: a rotary table on a tilting table.
     ///
-    /// `d` is the height of both centre lines above the table's reference point (My et al.). Its 150 mm are assumed: the paper
-    /// gives no value.
+    /// `d` is the height of both centre lines above the table's reference point (My et al.). Its 150 mm are assumed:
+    /// the paper gives no value.
     pub struct SpinnerU5620;
     chain: C B | X Y Z;
     d = (0, 0, d);

@@ -355,8 +355,8 @@ const _: () = assert!(size_of::<Hole>() <= size_of::<Arc>());
 pub struct Gap {
     /// Depth at which the feed ends: the tip is through the plate above.
     pub feed_ends_mm: f64,
-    /// Depth to which the tool moves at rapid, and at which the feed begins again: above the plate below, and above 0 where
-    /// negative.
+    /// Depth to which the tool moves at rapid, and at which the feed begins again: above the plate below, and above 0
+    /// where negative.
     pub feed_begins_mm: f64,
 }
 
@@ -492,8 +492,8 @@ pub enum RotaryDirection {
 
 /// One instruction of the CL data, in its group.
 ///
-/// A pass over the program matches the events that it acts on, and all others by their group: a new event of a group has
-/// the properties of that group everywhere.
+/// A pass over the program matches the events that it acts on, and all others by their group: a new event of a group
+/// has the properties of that group everywhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Event<'a> {
     /// A motion of the tool.
@@ -511,8 +511,8 @@ pub enum Event<'a> {
 }
 
 impl Event<'_> {
-    /// Whether the record is carried out by a block of its own: it is not data for the motions after it. A tool that has been
-    /// called is changed before it.
+    /// Whether the record is carried out by a block of its own: it is not data for the motions after it. A tool that
+    /// has been called is changed before it.
     pub(crate) const fn writes_block(&self) -> bool {
         match self {
             Self::Interruption(interruption) => !matches!(interruption, Interruption::BlockSkip { .. }),
@@ -544,8 +544,8 @@ pub enum NewStart<'a> {
     Operation(&'a [u8]),
     /// Tool call.
     Tool(ToolCall),
-    /// The set-up of this number begins, counted from 1: the part is clamped again, with its own origin, rotation and work
-    /// offset. Begins like an operation.
+    /// The set-up of this number begins, counted from 1: the part is clamped again, with its own origin, rotation and
+    /// work offset. Begins like an operation.
     SetUp(u32),
     /// The next motion begins with the safe sequence.
     SafeSequence,
@@ -565,8 +565,8 @@ impl NewStart<'_> {
     }
 }
 
-/// Instruction after which the position of the machine, or its state, is unknown. The next motion begins an operation, and
-/// cutter compensation must be off.
+/// Instruction after which the position of the machine, or its state, is unknown. The next motion begins an operation,
+/// and cutter compensation must be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Interruption<'a> {
     /// STOP.

@@ -1,7 +1,8 @@
 //! Shortcuts: fast paths beside plain ones, each with its name.
 //!
-//! A shortcut gives the bytes, findings and figures of the plain path, only sooner (`docs/notes-on-speed.md` says how much). A fast
-//! path without its name here is an error. With debug assertions a test may switch shortcuts off, in its own thread: [`without`].
+//! A shortcut gives the bytes, findings and figures of the plain path, only sooner (`docs/notes-on-speed.md` says how
+//! much). A fast path without its name here is an error. With debug assertions a test may switch shortcuts off, in its
+//! own thread: [`without`].
 
 #[cfg(debug_assertions)]
 use std::cell::Cell;
@@ -22,13 +23,16 @@ macro_rules! shortcuts {
 }
 
 shortcuts! {
-    /// The reader takes a GOTO, or a CIRCLE and its GOTO, on lines of their own directly from the text, without the table of words.
+    /// The reader takes a GOTO, or a CIRCLE and its GOTO, on lines of their own directly from the text, without the
+    /// table of words.
     LinesOfNumbers,
-    /// The reader takes the numbers of a line that has its digits where the line before had them, without looking for their ends.
+    /// The reader takes the numbers of a line that has its digits where the line before had them, without looking for
+    /// their ends.
     LineShapes,
     /// The course takes a run of cuts in which each state comes from the one before by one sum for each branch.
     SteadyRuns,
-    /// The course takes a cut that rotates every axis by less than a quarter of a revolution state by state, without a search.
+    /// The course takes a cut that rotates every axis by less than a quarter of a revolution state by state, without a
+    /// search.
     StatesFollowed,
     /// The course takes a motion with the tool axis of the one before without asking for branches.
     HeldToolAxis,
@@ -40,7 +44,8 @@ shortcuts! {
     OneBlock,
     /// The check takes a line of axis words and F directly from the text, and lets them move the axes.
     LinesOfWords,
-    /// The check bounds the deviation between the ends of a block, and measures at points only where the bound does not decide.
+    /// The check bounds the deviation between the ends of a block, and measures at points only where the bound does not
+    /// decide.
     DeviationBounds,
     /// The check judges F of a block by bounds of the speed of its tip, where they decide.
     FeedBounds,

@@ -1,14 +1,16 @@
 //! Rows of the tables of tolerances, `motion::tolerances` and `check::tolerances`, and the comparison of the two.
 //!
-//! A row is a number with which a computed quantity is compared, so that it decides what is equal, near, parallel, at the pole,
-//! rounded, or fast enough; or a plausible size beyond which data is a fault. Elsewhere are: counts and sizes that bound work
-//! or memory; steps, parts and stopping rules of a numerical method, which belong to the method; ranges of configuration keys;
-//! conversions of units; factors of a formula, as half a unit. A number with two meanings is two rows.
+//! A row is a number with which a computed quantity is compared, so that it decides what is equal, near, parallel, at
+//! the pole, rounded, or fast enough; or a plausible size beyond which data is a fault. Elsewhere are: counts and sizes
+//! that bound work or memory; steps, parts and stopping rules of a numerical method, which belong to the method; ranges
+//! of configuration keys; conversions of units; factors of a formula, as half a unit. A number with two meanings is two
+//! rows.
 //!
-//! The check shares no code with the planner, so what both sides need is a row on each, and each row names the other one.
+//! The check shares no code with the planner, so what both sides need is a row on each, and each row names the other
+//! one.
 
-/// Constants of a table, each with what it compares, its type and value, its unit, the reason for its size, and its partner in
-/// the other table:
+/// Constants of a table, each with what it compares, its type and value, its unit, the reason for its size, and its
+/// partner in the other table:
 ///
 /// - `equals NAME`: both sides have the same value,
 /// - `within NAME` in the table of motion, `covers NAME` in that of the check: the check allows at least as much,

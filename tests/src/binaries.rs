@@ -50,8 +50,8 @@ pub fn golden_programs() -> Vec<PathBuf> {
     files
 }
 
-/// Folder of the part of a golden program, and the mode of the program: programs of other modes than `axes` are in a folder
-/// of their mode in that of the part.
+/// Folder of the part of a golden program, and the mode of the program: programs of other modes than `axes` are in a
+/// folder of their mode in that of the part.
 ///
 /// # Panics
 /// If the file is in no folder.
@@ -90,8 +90,8 @@ pub fn binary(name: &str) -> Command {
     Command::new(path)
 }
 
-/// Builds the binaries with the profile of the running test, into the parent folder of the test. Of the whole workspace, whose
-/// features are those of the tests: the runtime is not compiled again.
+/// Builds the binaries with the profile of the running test, into the parent folder of the test. Of the whole
+/// workspace, whose features are those of the tests: the runtime is not compiled again.
 fn build() -> PathBuf {
     let test = std::env::current_exe().expect("the path of the running test");
     // TARGET/PROFILE/deps/TEST

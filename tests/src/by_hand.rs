@@ -37,8 +37,8 @@ pub fn axes<M: Machine>(random: &mut Random) -> M::Axes {
     axes
 }
 
-/// Compares a machine with a chain written out by hand; input of `by_hand`: the machine for its dimensions, axes, part origin,
-/// gauge length.
+/// Compares a machine with a chain written out by hand; input of `by_hand`: the machine for its dimensions, axes, part
+/// origin, gauge length.
 ///
 /// # Panics
 /// If letters, tip or tool axis differ.

@@ -2,8 +2,8 @@
 
 use pp_runtime::control::{self, CONTROLS, Control};
 
-/// The part with every feature: its modes, and the operations that can be posted in each. The fifth is a thread, which no
-/// control cuts under tip control; in the fourth the tool axis rotates.
+/// The part with every feature: its modes, and the operations that can be posted in each. The fifth is a thread, which
+/// no control cuts under tip control; in the fourth the tool axis rotates.
 pub const WORKS: [(&str, &str); 4] = [("axes", "1..5"), ("tcp", "1..4"), ("plane", "1..3"), ("auto", "1..5")];
 
 /// The commands of every machine.

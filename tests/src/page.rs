@@ -135,7 +135,8 @@ impl Page {
         Vector3::from_iterator(["tool.i", "tool.j", "tool.k"].map(|name| self.at(name, point)))
     }
 
-    /// Point of the CL data that a feed block ends on; `None` where the block is an inserted one, or its record no GOTO.
+    /// Point of the CL data that a feed block ends on; `None` where the block is an inserted one, or its record no
+    /// GOTO.
     ///
     /// # Panics
     /// If the CL data is not understood.

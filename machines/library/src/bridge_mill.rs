@@ -3,11 +3,12 @@ use pp_runtime::machine;
 machine! {
     /// A bridge mill with a fork head and a quill along the tool: `5axiskins` of LinuxCNC.
     ///
-    /// Chain: bridge in Y, carriage in X, ram in Z, then C, B and the quill W (`5axisgui.py`); travel from `5axis.ini`. B of the
-    /// module is opposite to ISO 841, and a positive W moves the tool out of the head. W is held at 0: a program does not move it.
+    /// Chain: bridge in Y, carriage in X, ram in Z, then C, B and the quill W (`5axisgui.py`); travel from `5axis.ini`.
+    /// B of the module is opposite to ISO 841, and a positive W moves the tool out of the head. W is held at 0: a
+    /// program does not move it.
     ///
-    /// Measure `pivot_length`, from the centre line of B to the gauge line with W at zero; the pin of this name is the sum of it
-    /// and the tool length.
+    /// Measure `pivot_length`, from the centre line of B to the gauge line with W at zero; the pin of this name is the
+    /// sum of it and the tool length.
     ///
     /// Source: LinuxCNC, `src/emc/kinematics/5axiskins.c`, `configs/sim/axis/vismach/5axis/bridgemill/`.
     pub struct BridgeMill;

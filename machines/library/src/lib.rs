@@ -2,8 +2,8 @@
 //!
 //! A file names the source of its chain and of its travel. Where a source does not state something, the file says so: a
 //! slide that may carry the table instead of the head, or the direction of a positive word, is to be compared with the
-//! jog sheet of `NAME explain`. No dimension is invented: what every machine has of its own is `required`, and nothing is
-//! posted until it is measured. Travel of linear axes is declared where the source states it in machine coordinates.
+//! jog sheet of `NAME explain`. No dimension is invented: what every machine has of its own is `required`, and nothing
+//! is posted until it is measured. Travel of linear axes is declared where the source states it in machine coordinates.
 //!
 //! This package is apart from `machines`, so that the binaries of the papers do not compile it.
 // A library returns its errors and leaves output to its caller.

@@ -3,11 +3,12 @@ use pp_runtime::machine;
 machine! {
     /// Pocket NC V2: a rotary table B on a tilting table A.
     ///
-    /// A and B of its kinematics are opposite to ISO 841. Travel is that of `versions/v2revP/PocketNC.ini`, which is in inches.
-    /// The source does not state which slides carry the table: compare X, Y and Z with the jog sheet. That the spindle is
-    /// horizontal and Y is up is from general knowledge.
+    /// A and B of its kinematics are opposite to ISO 841. Travel is that of `versions/v2revP/PocketNC.ini`, which is in
+    /// inches. The source does not state which slides carry the table: compare X, Y and Z with the jog sheet. That the
+    /// spindle is horizontal and Y is up is from general knowledge.
     ///
-    /// Reference point: where the centre lines of A and B meet, as in the source; a distance between them is not in the model.
+    /// Reference point: where the centre lines of A and B meet, as in the source; a distance between them is not in the
+    /// model.
     ///
     /// Source: github.com/PocketNC/Settings, `features/five_axis_kinematics/pocketnckins.c`.
     pub struct PocketNcV2;

@@ -5,8 +5,8 @@ machine! {
     ///
     /// Chain: the head moves in X, Y and Z (`xyzab-tdr-gui.py`); travel from `xyzab-tdr.ini`.
     ///
-    /// Reference point: the centre of the face of A at B 0. Measure `x_offset` and `z_offset`, from the centre line of B to
-    /// there; they are the pins of these names.
+    /// Reference point: the centre of the face of A at B 0. Measure `x_offset` and `z_offset`, from the centre line of
+    /// B to there; they are the pins of these names.
     ///
     /// Source: LinuxCNC, `src/hal/components/xyzab_tdr_kins.comp`, `configs/sim/axis/vismach/5axis/table-dual-rotary/`.
     pub struct XyzabTdr;
@@ -15,8 +15,8 @@ machine! {
     dims = { x_offset: required, z_offset: required };
     limits = { A: -3600..3600, B: -180..180, X: -200..200, Y: -200..200, Z: -300..300 };
 
-    // Tip and joints of the module count from the point `*-rot-point` on the centre line of B: the reference point is at
-    // (x_offset, 0, z_offset) from there.
+    // Tip and joints of the module count from the point `*-rot-point` on the centre line of B: the reference point is
+    // at (x_offset, 0, z_offset) from there.
     verify "LinuxCNC xyzab_tdr_kins.comp, TCP kinematics forward" {
         i = sin(B);
         j = -sin(A) * cos(B);

@@ -3,11 +3,12 @@ use pp_runtime::machine;
 machine! {
     /// A mill with a head of C and B, B inclined by 45°: `xyzacb_trsrn` of LinuxCNC, with its table A at 0.
     ///
-    /// Chain: the head moves in X, Y and Z (`xyzacb-trsrn-gui.py`); travel from `xyzacb-trsrn.ini`. `nut-angle` of the module is
+    /// Chain: the head moves in X, Y and Z (`xyzacb-trsrn-gui.py`); travel from `xyzacb-trsrn.ini`. `nut-angle` of the
+    /// module is
     /// 45. A program does not move the table A.
     ///
-    /// Measure at the head, from the gauge line with B and C at zero: `y_pivot` and `z_pivot` to the centre line of B, and
-    /// `x_offset` and `y_offset` from there to the centre line of C; they are the pins of these names.
+    /// Measure at the head, from the gauge line with B and C at zero: `y_pivot` and `z_pivot` to the centre line of B,
+    /// and `x_offset` and `y_offset` from there to the centre line of C; they are the pins of these names.
     ///
     /// Source: LinuxCNC, `src/hal/components/xyzacb_trsrn.comp`,
     /// `configs/sim/axis/vismach/5axis/table-rotary_spindle-rotary-nutating/`.
@@ -18,8 +19,8 @@ machine! {
     dims = { x_offset: required, y_offset: required, y_pivot: required, z_pivot: required };
     limits = { B: -185..185, C: -320..320, X: -5000..5000, Y: -5000..5000, Z: -5000..5000 };
 
-    // Sw = 0 and Cw = 1; Sv = Cv = sqrt(2) / 2, so r = s = (1 + cos B) / 2 and t = (1 - cos B) / 2. The joints of the source
-    // are those of the spindle nose: its Dray and Draz cancel with the constants of the same lines.
+    // Sw = 0 and Cw = 1; Sv = Cv = sqrt(2) / 2, so r = s = (1 + cos B) / 2 and t = (1 - cos B) / 2. The joints of the
+    // source are those of the spindle nose: its Dray and Draz cancel with the constants of the same lines.
     verify "LinuxCNC xyzacb_trsrn.comp, TCP kinematics forward, nut-angle 45" {
         i = cos(C) * sin(B) * sqrt(2) / 2 - sin(C) * (1 - cos(B)) / 2;
         j = sin(C) * sin(B) * sqrt(2) / 2 + cos(C) * (1 - cos(B)) / 2;

@@ -3,11 +3,11 @@ use pp_runtime::machine;
 machine! {
     /// A mill with a rotary table on a table that tilts about Y: `xyzbc-trt-kins` of LinuxCNC.
     ///
-    /// Chain: `table-x`, `saddle-y` and `spindle-z` of `xyzbc-trt.ini`; travel from the same file, of B that of its joint. B and
-    /// C of the module are opposite to ISO 841 (`conventional-directions` = 0, its default).
+    /// Chain: `table-x`, `saddle-y` and `spindle-z` of `xyzbc-trt.ini`; travel from the same file, of B that of its
+    /// joint. B and C of the module are opposite to ISO 841 (`conventional-directions` = 0, its default).
     ///
-    /// Reference point: the centre of the table top at B 0. Measure `x_offset` and `z_offset`, from there to the centre line of
-    /// B; they are the pins of these names.
+    /// Reference point: the centre of the table top at B 0. Measure `x_offset` and `z_offset`, from there to the centre
+    /// line of B; they are the pins of these names.
     ///
     /// Source: LinuxCNC, `src/emc/kinematics/trtfuncs.c`, `configs/sim/axis/vismach/5axis/table-rotary-tilting/`.
     pub struct XyzbcTrt;
@@ -17,8 +17,8 @@ machine! {
     signs = { C: -, B: - };
     limits = { B: -100..50, C: -36000..36000, X: -200..200, Y: -100..100, Z: -120..120 };
 
-    // Tip and joints of the module count from the point `*-rot-point`, here the reference point; its joint Z is that of the
-    // spindle nose, so that `tool-offset` cancels.
+    // Tip and joints of the module count from the point `*-rot-point`, here the reference point; its joint Z is that of
+    // the spindle nose, so that `tool-offset` cancels.
     verify "LinuxCNC trtfuncs.c, xyzbcKinematicsForward, con = -1" {
         i = -cos(C) * sin(B);
         j = sin(C) * sin(B);

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 //!
-//! The proc-macro crate only calls [`expand_with`]. Same input, same tokens: no I/O, no counters, no clock, no environment, no hash order.
+//! The proc-macro crate only calls [`expand_with`]. Same input, same tokens: no I/O, no counters, no clock, no
+//! environment, no hash order.
 // A library returns its errors and leaves output to its caller.
 #![cfg_attr(
     not(test),
@@ -29,12 +30,12 @@ pub mod verify;
 
 use proc_macro2::TokenStream;
 
+use check::{Checked, Item};
 pub use emit::Options;
 use explain::Explanation;
 use model::Model;
 use report::{Errors, Refused};
 use solve::Solved;
-use syntax::Declaration;
 use verify::Verified;
 
 /// Expands the inside of `machine! { ... }`: the machine, or one `compile_error!` for each mistake.
@@ -52,6 +53,8 @@ pub fn expand_with(input: TokenStream, options: Options) -> TokenStream {
 /// Everything known about a machine that compiles.
 #[derive(Debug)]
 pub struct Compiled {
+    /// The struct as it is declared.
+    pub item: Item,
     /// The machine, without syntax.
     pub model: Model,
     /// Its formulas, proven.
@@ -67,10 +70,8 @@ pub struct Compiled {
 /// # Errors
 /// Every mistake of the declaration.
 pub fn generate(input: TokenStream, options: Options) -> Result<TokenStream, Refused> {
-    let mut errors = Errors::default();
-    let declaration = syntax::parse(input, &mut errors)?;
-    let machine = compile_declaration(&declaration, &mut errors)?;
-    Ok(emit::emit(&declaration, &machine.model, &machine.solved, &machine.explanation, options))
+    let Compiled { item, model, solved, explanation, .. } = compile(input)?;
+    Ok(emit::emit(&item, &model, &solved, &explanation, options))
 }
 
 /// The pipeline without its last step, `emit`.
@@ -80,17 +81,14 @@ pub fn generate(input: TokenStream, options: Options) -> Result<TokenStream, Ref
 pub fn compile(input: TokenStream) -> Result<Compiled, Refused> {
     let mut errors = Errors::default();
     let declaration = syntax::parse(input, &mut errors)?;
-    compile_declaration(&declaration, &mut errors)
-}
-
-fn compile_declaration(declaration: &Declaration, errors: &mut Errors) -> Result<Compiled, Refused> {
-    let (mut model, phrases) = check::check(declaration, errors)?;
-    let solved = solve::solve(&mut model);
-    let mut solved = solved.map_err(|refusals| check::refused(&refusals, &model, &phrases, errors))?;
-    let proofs = proof::prove(&model, &mut solved);
-    let proofs = proofs.map_err(|claim| check::unproven(&claim, &phrases, errors))?;
-    let verified = verify::verify(declaration, &model, &mut solved, errors);
+    let Checked { model, item, phrases } = check::check(&declaration, &mut errors)?;
+    let solved = solve::solve(&model);
+    let solved = solved.map_err(|refusals| check::refused(&refusals, &model, &phrases, &mut errors))?;
+    let proofs = proof::prove(&model, &solved);
+    let proofs = proofs.map_err(|claim| check::unproven(&claim, &phrases, &mut errors))?;
+    let verified = verify::verify(&declaration, &model, &solved, &mut errors);
     errors.propagate()?;
+    let solved = verify::guarded(solved, &verified);
     let explanation = explain::explain(&model, &solved, proofs, &verified);
-    Ok(Compiled { model, solved, verified, explanation })
+    Ok(Compiled { item, model, solved, verified, explanation })
 }

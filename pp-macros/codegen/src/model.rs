@@ -6,12 +6,13 @@ use std::collections::BTreeMap;
 
 use num_rational::BigRational;
 
-use crate::symbolic::{Matrix, Poly, PolyVector, Ring, Surd, Symbol, rotation, sin_cos_of_degrees, translation};
+use crate::symbolic::{Matrix, Poly, PolyVector, Ring, Surd, Symbol, rotation, translation};
 
 /// Index of an axis in the chain, counted from the workpiece.
 pub type AxisId = usize;
 
-/// Local variables of generated functions, of Rust and of C; a dimension with one of these names gets another name there.
+/// Local variables of generated functions, of Rust and of C; a dimension with one of these names gets another name
+/// there.
 pub(crate) const LOCALS: &[&str] = &[
     "axes",
     "axis",
@@ -128,8 +129,8 @@ pub struct Dimension {
     pub name: String,
     /// Default in mm or degrees; `None` if each machine has its own (`required`).
     pub default: Option<BigRational>,
-    /// Approximate value of a required angle, degrees: the order of the two solutions is fixed there. An angle without it
-    /// and without default is one that only directions of linear axes depend on.
+    /// Approximate value of a required angle, degrees: the order of the two solutions is fixed there. An angle without
+    /// it and without default is one that only directions of linear axes depend on.
     pub near: Option<BigRational>,
     /// Its symbols in the formulas.
     pub quantity: Quantity,
@@ -195,7 +196,10 @@ pub struct Model {
     pub up: Up,
     /// Symbols of pose and set-up.
     pub symbols: ModelSymbols,
-    /// Ring that owns all symbols and their relations.
+    /// Default values of `hold` and `dims`, for their symbols, and approximate values of required angles; what else is
+    /// required keeps its symbols.
+    pub defaults: BTreeMap<Symbol, Poly>,
+    /// Ring that owns all symbols of the machine and their relations, complete: later stages read it.
     pub ring: Ring,
 }
 
@@ -311,37 +315,6 @@ impl Model {
         let mut values: BTreeMap<Symbol, f64> = self.symbols.axis.into_iter().zip([0.36, 0.48, 0.8]).collect();
         for (index, (sine, cosine)) in angles.chain(dimensions).enumerate() {
             let (s, c) = (0.123_4 + 0.271_8 * index as f64).sin_cos();
-            values.insert(sine, s);
-            values.insert(cosine, c);
-        }
-        values
-    }
-
-    /// Default values of `hold` and `dims`, for their symbols, and approximate values of required angles; what else is
-    /// required keeps its symbols.
-    #[must_use]
-    pub fn defaults(&mut self) -> BTreeMap<Symbol, Poly> {
-        let mut values = BTreeMap::new();
-        let mut angles = Vec::new();
-        for axis in &self.axes {
-            if let Some(value) = &axis.held {
-                match axis.kind {
-                    AxisKind::Linear => drop(values.insert(axis.word, Poly::from(Surd::from(value.clone())))),
-                    AxisKind::Rotary => angles.push((axis.sin_cos, value.clone())),
-                }
-            }
-        }
-        for dimension in &self.dimensions {
-            let Some(default) = dimension.known() else { continue };
-            match dimension.quantity {
-                Quantity::Length(symbol) => {
-                    values.insert(symbol, Poly::from(Surd::from(default.clone())));
-                }
-                Quantity::Angle(sine, cosine) => angles.push(((sine, cosine), default.clone())),
-            }
-        }
-        for ((sine, cosine), degrees) in angles {
-            let (s, c) = sin_cos_of_degrees(&degrees, &mut self.ring);
             values.insert(sine, s);
             values.insert(cosine, c);
         }

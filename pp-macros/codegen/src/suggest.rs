@@ -2,8 +2,8 @@
 
 /// The candidate that differs from `word` by few letters; letter case does not count.
 ///
-/// A word of three letters may differ by one, a longer one by a third of its letters; two letters that are exchanged count as
-/// one. Words of one or two letters have no near name: almost any other would do.
+/// A word of three letters may differ by one, a longer one by a third of its letters; two letters that are exchanged
+/// count as one. Words of one or two letters have no near name: almost any other would do.
 pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = word.to_lowercase();
     let allowed = lower.chars().count() / 3;

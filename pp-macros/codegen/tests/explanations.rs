@@ -95,8 +95,8 @@ fn a_horizontal_tool_points_into_the_machine() {
     assert!(sheet.contains("At the start the tool points away from you (+Y)."), "{sheet}");
 }
 
-/// A step that would leave the travel has the other direction; where zero is not in the travel the start is the end nearest
-/// to it, and what the sheet states of the top, and of axes that this one carries, is seen from there.
+/// A step that would leave the travel has the other direction; where zero is not in the travel the start is the end
+/// nearest to it, and what the sheet states of the top, and of axes that this one carries, is seen from there.
 #[test]
 fn no_jog_leaves_the_travel() {
     let first = |limits: &str| jogs(&format!("chain: C B | X Y Z; limits = {{ B: {limits}, C: free }};"))[1].clone();
@@ -157,7 +157,8 @@ fn a_flipped_sign_changes_its_sentence_and_no_other() {
             let wrong = jogs(&format!("chain: {chain}; signs = {{ {letter}: - }};"));
             assert_eq!(right.len(), wrong.len(), "{chain}, {letter}");
             for (place, (right, wrong)) in right.iter().zip(&wrong).enumerate() {
-                // A line of two axes names them both, `A at 90, Y+100: ...`; the first counts where it carries the second.
+                // A line of two axes names them both, `A at 90, Y+100: ...`; the first counts where it carries the
+                // second.
                 let own = right.split_once(" at ").map_or(place == index, |(rotary, line)| {
                     let moved = line.split_once(", ").is_some_and(|(_, moved)| moved.starts_with(letter));
                     moved || rotary == letter && !right.ends_with("as before")

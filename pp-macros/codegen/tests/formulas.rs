@@ -14,7 +14,7 @@ fn model(text: &str) -> Model {
     let tokens = format!("pub struct M; {text}").parse().expect("Rust tokens");
     let mut errors = Errors::default();
     let declaration = parse(tokens, &mut errors).expect("syntax");
-    check(&declaration, &mut errors).expect("rules").0
+    check(&declaration, &mut errors).expect("rules").model
 }
 
 const SPINNER: &str = "chain: C B | X Y Z; d = (0, 0, d); dims = { d: 150.0 };";

@@ -25,8 +25,8 @@ fn solved(text: &str) -> (Model, Motion) {
     let tokens = format!("pub struct M; {text}").parse().expect("Rust tokens");
     let mut errors = Errors::default();
     let declaration = parse(tokens, &mut errors).expect("syntax");
-    let (mut model, _) = check(&declaration, &mut errors).expect("rules");
-    let solved = solve(&mut model).expect("a solvable chain");
+    let model = check(&declaration, &mut errors).expect("rules").model;
+    let solved = solve(&model).expect("a solvable chain");
     (model, solved.motion)
 }
 

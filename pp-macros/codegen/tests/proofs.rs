@@ -14,8 +14,8 @@ fn solved(text: &str) -> (Model, Solved) {
     let tokens = format!("pub struct M; {text}").parse().expect("Rust tokens");
     let mut errors = Errors::default();
     let declaration = parse(tokens, &mut errors).expect("syntax");
-    let (mut model, _) = check(&declaration, &mut errors).expect("rules");
-    let solved = solve(&mut model).expect("a solvable chain");
+    let model = check(&declaration, &mut errors).expect("rules").model;
+    let solved = solve(&model).expect("a solvable chain");
     (model, solved)
 }
 
@@ -26,8 +26,8 @@ macro_rules! proven {
         $(
             #[test]
             fn $name() {
-                let (model, mut solved) = solved($text);
-                let claims = prove(&model, &mut solved).unwrap_or_else(|claim| panic!("not proven: {claim}"));
+                let (model, solved) = solved($text);
+                let claims = prove(&model, &solved).unwrap_or_else(|claim| panic!("not proven: {claim}"));
                 assert!(claims.len() >= 3);
             }
         )*
@@ -74,7 +74,7 @@ fn a_flipped_sign_in_any_output_is_not_proven() {
                 continue;
             }
             *outputs(&mut flawed)[index] = new;
-            assert!(prove(&model, &mut flawed).is_err(), "output {index} of {text}");
+            assert!(prove(&model, &flawed).is_err(), "output {index} of {text}");
         }
     }
 }
@@ -91,15 +91,15 @@ fn sine_and_cosine_swapped_are_not_proven() {
                 *word = (word.1, word.0);
             }
         }
-        assert!(prove(&model, &mut flawed).is_err(), "{text}");
+        assert!(prove(&model, &flawed).is_err(), "{text}");
     }
 }
 
 #[test]
 fn the_first_branch_is_the_one_that_the_papers_print() {
     let first = |text: &str| {
-        let (model, mut solved) = solved(text);
-        let proofs = prove(&model, &mut solved).expect("proven");
+        let (model, solved) = solved(text);
+        let proofs = prove(&model, &solved).expect("proven");
         pp_codegen::explain::explain(&model, &solved, proofs, &[]).branches.text[0].clone()
     };
     assert_eq!(first("chain: C B | X Y Z;"), "first branch:  sin B >= 0");

@@ -38,7 +38,8 @@ fn each_branch_has_its_cone_within_the_declared_travel() {
     assert_eq!(lines[3], "second branch: C -360 to 360, B -180 to 0 and 180 to 200: 0 to 180 degrees");
 }
 
-/// Inclined axes: every position within the travel has its angle in the stated range, and the ends of the range are reached.
+/// Inclined axes: every position within the travel has its angle in the stated range, and the ends of the range are
+/// reached.
 #[test]
 fn cones_of_inclined_machines_are_those_of_rotated_tools() {
     let half = std::f64::consts::FRAC_1_SQRT_2;

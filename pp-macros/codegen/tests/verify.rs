@@ -366,8 +366,8 @@ fn assumptions_are_stated_and_made() {
     machine("k = sin(beta)^2 * cos(B) + 1 - sin(beta)^2; where beta = 90 deg - alpha;").expect("holds");
 }
 
-/// Names of a block may be expressions, of one another and of everything that equations mention; their roots and divisors
-/// give the equation its conditions.
+/// Names of a block may be expressions, of one another and of everything that equations mention; their roots and
+/// divisors give the equation its conditions.
 #[test]
 fn names_of_a_block_are_expressions() {
     let machine = "chain: C | X Y Z B; d = { B: (0, 0, pivot) }; dims = { pivot: 150.0 };";

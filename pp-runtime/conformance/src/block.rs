@@ -32,8 +32,8 @@ pub fn rotated_evenly(from: &Vector3<f64>, to: &Vector3<f64>, share: f64) -> Vec
     (from * (angle * share).cos() + across * (angle * share).sin()).normalize()
 }
 
-/// Length that a block in which the axes lead the tip takes its time for, mm: the tip is nowhere a hundredth faster than
-/// programmed, but for two units of the words. `tip_rate_mm`: its largest speed, times the time of the block.
+/// Length that a block in which the axes lead the tip takes its time for, mm: the tip is nowhere a hundredth faster
+/// than programmed, but for two units of the words. `tip_rate_mm`: its largest speed, times the time of the block.
 #[must_use]
 pub fn timed_mm(length_mm: f64, tip_rate_mm: f64, unit_mm: f64) -> f64 {
     length_mm.max((tip_rate_mm - 2.0 * unit_mm) / 1.01)

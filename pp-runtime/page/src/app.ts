@@ -70,7 +70,7 @@ export class App {
   ) {
     const { program, programText, clText } = data;
     const { theme } = this.theme;
-    const undrawn = new Undrawn(program, programText);
+    const undrawn = new Undrawn(program);
     this.timeline = new Timeline(program);
     this.colourings = colourings(program);
     this.colouring = this.colourings[0];
@@ -123,7 +123,7 @@ export class App {
     this.position = new PositionPanel(program, this.timeline, this.stage, new ClPoints(program, clText));
     this.machine = new MachinePanel(program, undrawn);
     const choices = { colour: (name: string) => this.setColouring(name), hold: (fixed: Fixed) => this.setFixed(fixed) };
-    this.display = new DisplayPanel(this.colourings, this.stage, choices, program.head.rapids_apart);
+    this.display = new DisplayPanel(this.colourings, this.stage, choices, program.head.path.rapids_apart);
     const events = { seek: (point: number) => this.jump(point), showLine: (line: number) => this.showLine(line) };
     this.findings = new FindingsPanel(program, events);
     this.operations = new OperationsPanel(program, events, theme);

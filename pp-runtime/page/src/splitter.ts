@@ -6,8 +6,8 @@ import { element } from "./dom.ts";
 const STEP_PX = 24;
 
 /**
- * `column`: between columns; the size is that of the part on the left. `row`: between rows; the size is that of the part below.
- * The size is the custom property `property` of `host`.
+ * `column`: between columns; the size is that of the part on the left. `row`: between rows; the size is that of the
+ * part below. The size is the custom property `property` of `host`.
  */
 export function splitter(
   label: string,

@@ -36,7 +36,7 @@ function program(given: Record<string, number[]>, change: Partial<Head> = {}): P
     findings: [],
     warnings: [],
     summary: [],
-    tolerance_mm: 0.01, rapids_apart: false,
+    tolerance_mm: 0.01, path: { rapids_apart: false, undrawn: [] },
     points: count,
     columns: [],
     reasons: ["record", "tolerance", "rewind", "lead-out"],

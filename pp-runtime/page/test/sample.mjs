@@ -173,7 +173,7 @@ const head = {
     finding(Math.floor(points.length * 0.72), "F 3000 is programmed, the CL data asks for 2400", null),
   ],
   warnings: ["rapids are not linearised"],
-  summary: [`${points.length} points`], tolerance_mm: 0.01, rapids_apart: false, points: points.length, columns,
+  summary: [`${points.length} points`], tolerance_mm: 0.01, path: { rapids_apart: false, undrawn: [] }, points: points.length, columns,
   reasons, reason_texts: reasons.map((name) => `because of ${name}`), kinds, seconds: points.reduce((sum, p) => sum + p.seconds, 0),
 };
 

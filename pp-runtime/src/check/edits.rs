@@ -1,8 +1,8 @@
 //! Edits of a program that are meant: `[[check.edits]]`.
 //!
-//! A program is compared as it was posted: each edit is taken back first. Then both programs are read side by side, and each
-//! difference between them must be of a permitted kind: F, S, coolant, a longer wait, an added stop, a smaller peck. A modal
-//! word reaches as far as it does at the control.
+//! A program is compared as it was posted: each edit is taken back first. Then both programs are read side by side, and
+//! each difference between them must be of a permitted kind: F, S, coolant, a longer wait, an added stop, a smaller
+//! peck. A modal word reaches as far as it does at the control.
 
 use std::io;
 
@@ -47,7 +47,8 @@ pub(super) fn take_back(program: &[u8], policy: &EditPolicy, family: Family) -> 
 }
 
 impl PostedProgram {
-    /// Compares the program with what was posted, and adds the edits and what is wrong with them to the outcome of its check.
+    /// Compares the program with what was posted, and adds the edits and what is wrong with them to the outcome of its
+    /// check.
     pub(super) fn conclude(
         mut self,
         edited: &[u8],

@@ -1,10 +1,10 @@
 //! The check of a program: reads the program back, computes tip and tool axis of each block, and compares them with the
 //! CL data.
 //!
-//! `read` turns the text of a program into blocks; it knows the control and nothing else. `geometry` has the chain of the
-//! machine as matrices at run time, not the generated functions. `expect` reads from the CL data what the program must
-//! carry out, `rules` what a block must be like, `travel` has the limits of the axes. `compare` compares the two, block by
-//! block. Memory does not grow with the length of the program.
+//! `read` turns the text of a program into blocks; it knows the control and nothing else. `geometry` has the chain of
+//! the machine as matrices at run time, not the generated functions. `expect` reads from the CL data what the program
+//! must carry out, `rules` what a block must be like, `travel` has the limits of the axes. `compare` compares the two,
+//! block by block. Memory does not grow with the length of the program.
 //!
 //! It shares no code with the planner and the controls: [`CheckPolicy`] is all that it reads of a job, and the
 //! configuration builds it. A convention that both sides need is written twice, each with a test.

@@ -91,7 +91,8 @@ pub enum EditedBlock {
 }
 
 impl CheckPolicy {
-    /// Meaning of all linear words of the program; `None` where the program decides with each approach, or operations differ.
+    /// Meaning of all linear words of the program; `None` where the program decides with each approach, or operations
+    /// differ.
     #[must_use]
     pub fn linear_of_all(&self) -> Option<LinearMeaning> {
         self.words.linear.filter(|_| self.operations.iter().all(|rule| rule.linear.is_none()))
@@ -146,7 +147,8 @@ pub struct WordPolicy {
     pub tip_frame: TipFrame,
     /// Under tip control the control rotates the tool axis in the plane of its ends.
     pub axis_in_plane: bool,
-    /// The program selects `axis_in_plane` where the control has a word for it; otherwise a setting of the control does.
+    /// The program selects `axis_in_plane` where the control has a word for it; otherwise a setting of the control
+    /// does.
     pub posture_word: bool,
     /// Under tip control the program gives components of the tool axis instead of angles.
     pub tool_axis_vectors: bool,

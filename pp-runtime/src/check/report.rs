@@ -320,8 +320,8 @@ impl Tally {
         self.found(at, shown, text);
     }
 
-    /// Adds a finding about a block; blocks in a row with the same fault are one finding. `at`: the CL record that the block should
-    /// carry out.
+    /// Adds a finding about a block; blocks in a row with the same fault are one finding. `at`: the CL record that the
+    /// block should carry out.
     #[cold]
     pub(super) fn found(&mut self, at: Location, shown: ShownBlock<'_>, cause: &str) {
         self.found_in_run(at, shown, cause, without_numbers(cause, |quoted| quoted));
@@ -363,7 +363,8 @@ impl Tally {
         }
     }
 
-    /// Adds a finding about a block that matches nothing; such blocks in a row are one finding, whatever each of them lacks.
+    /// Adds a finding about a block that matches nothing; such blocks in a row are one finding, whatever each of them
+    /// lacks.
     #[cold]
     pub(super) fn found_lost(&mut self, at: Location, shown: ShownBlock<'_>, cause: &str) {
         self.found_in_run(at, shown, cause, LOST.to_owned());

@@ -1,5 +1,5 @@
-//! The executed program as a stream: each block with the state before and after it, the path of the axes, the record of the
-//! CL data that it carries out, and the findings about it.
+//! The executed program as a stream: each block with the state before and after it, the path of the axes, the record of
+//! the CL data that it carries out, and the findings about it.
 //!
 //! Positions are axis values of the machine; [`Leg::pose`] has tip and tool axis on the workpiece. A block whose words
 //! are not all known begins at a position that the observer gives ([`ExecutedBlock::legs_from`]).
@@ -86,8 +86,8 @@ impl ExecutedBlock<'_> {
         self.rules.machine()
     }
 
-    /// Machine coordinate of a linear axis less its value and its `machine_zero`, mm: the share of the gauge length, and the
-    /// place of the part zero in a further set-up.
+    /// Machine coordinate of a linear axis less its value and its `machine_zero`, mm: the share of the gauge length,
+    /// and the place of the part zero in a further set-up.
     #[must_use]
     pub fn offset_mm(&self, axis: usize) -> f64 {
         self.rules.words().gauge_of(axis)
@@ -106,8 +106,9 @@ impl ExecutedBlock<'_> {
         }
     }
 
-    /// Machine coordinates to which the axes of `written` move, mm and rad; `None` where they do not move to positions of the
-    /// machine, or these are unknown. The reference position and the end of the travel are where the configuration has them.
+    /// Machine coordinates to which the axes of `written` move, mm and rad; `None` where they do not move to positions
+    /// of the machine, or these are unknown. The reference position and the end of the travel are where the
+    /// configuration has them.
     #[must_use]
     pub fn machine_values(&self) -> Option<[f64; MAX_AXES]> {
         let links = &self.rules.policy().links;
@@ -130,8 +131,8 @@ impl ExecutedBlock<'_> {
         }
     }
 
-    /// Whether the position is unknown after the block although it moves no axis: a stop, a declared effect. A change of the
-    /// frame of the words is none, since it leaves the rotary axes known.
+    /// Whether the position is unknown after the block although it moves no axis: a stop, a declared effect. A change
+    /// of the frame of the words is none, since it leaves the rotary axes known.
     #[must_use]
     pub fn loses_position(&self) -> bool {
         let rotary = self.rules.words().rotary_bits();
@@ -150,10 +151,11 @@ impl ExecutedBlock<'_> {
         block.state.tilt.map(|_| UnitVector3::new_normalize(self.rules.pose(block).axis))
     }
 
-    /// The parts of the block, in order; none where nothing moves, where the start is unknown, and for machine coordinates.
+    /// The parts of the block, in order; none where nothing moves, where the start is unknown, and for machine
+    /// coordinates.
     ///
-    /// A cycle has its rapid over the hole and down to the clearance level, the feed to the bottom, and the way out; its
-    /// pecks are the control's own.
+    /// A cycle has its rapid over the hole and down to the clearance level, the feed to the bottom, and the way out;
+    /// its pecks are the control's own.
     #[must_use]
     pub fn legs(&self) -> Vec<Leg<'_>> {
         if !self.rules.is_known(self.block, self.known & self.block.known) {
@@ -163,8 +165,8 @@ impl ExecutedBlock<'_> {
         self.legs_of(self.from, self.block.values, axis)
     }
 
-    /// The same from a known position of the axes, mm and rad: it is where the axes are whose words are unknown, or counted in
-    /// another frame before the block.
+    /// The parts of the block from a known position of the axes, mm and rad: it is where the axes are whose words are
+    /// unknown, or counted in another frame before the block.
     #[must_use]
     pub fn legs_from(&self, position: &AxisValues) -> Vec<Leg<'_>> {
         let (block, words) = (self.block, self.rules.words());
@@ -276,8 +278,8 @@ impl Leg<'_> {
         Pose { tip: Point3::from(pose.tip), axis: UnitVector3::new_normalize(pose.axis) }
     }
 
-    /// Deviation of a part of the leg from the motion in step with it, between two shares and the axis values there: an upper
-    /// bound.
+    /// Deviation of a part of the leg from the motion in step with it, between two shares and the axis values there: an
+    /// upper bound.
     #[cfg(feature = "simulate")]
     #[must_use]
     pub fn step_bound(&self, machine: &dyn AnyMachine, shares: [f64; 2], [from, to]: [&AxisValues; 2]) -> StepBound {
@@ -311,8 +313,8 @@ impl Leg<'_> {
 
     /// Deviation of the tip on the workpiece from an even motion on its chord under tip control: an upper bound, mm.
     ///
-    /// The words are on a straight line of their frame. A frame that is fixed to the machine rotates on the workpiece: with
-    /// `p(s) = R(s) w(s)` the second derivative is `|R'' w + 2 R' w'|`, and the deviation an eighth of it.
+    /// The words are on a straight line of their frame. A frame that is fixed to the machine rotates on the workpiece:
+    /// with `p(s) = R(s) w(s)` the second derivative is `|R'' w + 2 R' w'|`, and the deviation an eighth of it.
     #[cfg(feature = "simulate")]
     fn tip_bound(&self, machine: &dyn AnyMachine, [from, to]: [&AxisValues; 2]) -> f64 {
         if self.rules.policy().words.tip_frame != TipFrame::Machine {
@@ -332,8 +334,8 @@ impl Leg<'_> {
         (angle * angle * lever + 2.0 * angle * (travel + angle * lever)) / 8.0
     }
 
-    /// Smallest and largest axis values between two shares and the axis values there; `None` where they are not found: the
-    /// part is too long, or near a pole.
+    /// Smallest and largest axis values between two shares and the axis values there; `None` where they are not found:
+    /// the part is too long, or near a pole.
     #[cfg(feature = "simulate")]
     #[must_use]
     pub fn axis_ranges(

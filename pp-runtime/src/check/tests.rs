@@ -116,8 +116,8 @@ fn findings<M: Machine>(config: &Config, control: &dyn Control, data: &str, prog
     outcome.findings.into_iter().map(|found| format!("{}: {}", found.location.line, found.text)).collect()
 }
 
-/// Behind arcs by their angle the tool is a few roundings off the words of their ends; a point that is there already and
-/// whole turns from there are run from where it is.
+/// Behind arcs by their angle the tool is a few roundings off the words of their ends; a point that is there already
+/// and whole turns from there are run from where it is.
 #[test]
 fn whole_turns_behind_a_helix_by_its_angle_begin_where_it_ended() {
     let data = "UNITS/MM
@@ -291,7 +291,8 @@ GOTO/-10.032,64.619,5.538
     assert!(blocks[lift - 1].ends_with("Z-25.34"), "{program}");
 }
 
-/// RETRCT ends in the clearance plane; seen from the rounded place 0.4 µm below it that plane is 2.9 µm away along the tool.
+/// RETRCT ends in the clearance plane; seen from the rounded place 0.4 µm below it that plane is 2.9 µm away along the
+/// tool.
 #[test]
 fn a_retract_to_a_plane_along_a_grazing_axis_has_led_out() {
     let data = |z: f64| {
@@ -357,8 +358,8 @@ RETRCT
     }
 }
 
-/// A rapid of the CL data leads up the tool axis and a cut down again, and the table is rewound: the tool comes back over the cut
-/// before the rapid as well as over the one after it. What follows tells them apart.
+/// A rapid of the CL data leads up the tool axis and a cut down again, and the table is rewound: the tool comes back
+/// over the cut before the rapid as well as over the one after it. What follows tells them apart.
 #[test]
 fn a_rewind_beside_a_rapid_out_and_a_cut_back_is_read_by_what_follows() {
     let data = "UNITS/MM
@@ -455,7 +456,8 @@ tools = { 3 = { length = 156.9346 } }\n";
     }
 }
 
-/// ROTABL/NEXT turns the table between two holes of one tool axis, and the tool is led to the second one as to the first.
+/// ROTABL/NEXT turns the table between two holes of one tool axis, and the tool is led to the second one as to the
+/// first.
 #[test]
 fn a_hole_is_approached_again_where_the_table_turns_for_it() {
     let data = "UNITS/MM
@@ -630,8 +632,8 @@ GOTO/10,20,50
     assert_told::<Tables>("siemens", Mode::Tcp, set_up, data, &wrong);
 }
 
-/// Near the pole the rotary axes rotate far while the tip hardly moves: rounded words reach the end of a motion before its
-/// last blocks, and the cut may be interrupted there for a rewind.
+/// Near the pole the rotary axes rotate far while the tip hardly moves: rounded words reach the end of a motion before
+/// its last blocks, and the cut may be interrupted there for a rewind.
 #[test]
 fn a_cut_at_the_pole_goes_on_after_a_rewind_although_its_end_is_reached_but_for_rounding() {
     let set_up = "tolerance = 0.002

@@ -1,5 +1,5 @@
-//! The tolerances of the check. What a row is: [`crate::tolerance`]. Allowances for the words of a program are computed from
-//! their units, by `Rounding` in [`rules`](super::rules).
+//! The tolerances of the check. What a row is: [`crate::tolerance`]. Allowances for the words of a program are computed
+//! from their units, by `Rounding` in [`rules`](super::rules).
 
 use std::f64::consts::{PI, SQRT_2};
 
@@ -60,7 +60,8 @@ crate::tolerance::tolerances! {
     UNEVEN_NEAR_POLE: f64 = 0.035, "rad", "there the first axis rotates more than 28 times as far as the tool",
         equals UNEVEN_NEAR_POLE;
 
-    /// Distance from a pole below which the control may leave the first rotary axis where it is and take the other branch.
+    /// Distance from a pole below which the control may leave the first rotary axis where it is and take the other
+    /// branch.
     CONTROL_CHOOSES_NEAR_POLE: f64 = 3e-4, "rad",
         "there that axis rotates the tool by less than a three-thousandth of its own angle",
         equals CONTROL_CHOOSES_NEAR_POLE;
@@ -127,7 +128,8 @@ crate::tolerance::tolerances! {
     IN_CUTTER_PLANE: f64 = 2e-3, "mm",
         "in a tilted plane both ends of CL data with three decimals are up to 0.87 µm off", equals IN_CUTTER_PLANE;
 
-    /// Length that is none: what is left of a side of a contour, or what an arc or a lead-in has more than the tool needs.
+    /// Length that is none: what is left of a side of a contour, or what an arc or a lead-in has more than the tool
+    /// needs.
     SPENT_SIDE: f64 = 1e-9, "mm", "rounding of arithmetic", alone "the planner refuses less than LEAST_OFFSET, which is more";
 
     /// Excess of a cosine over 1 where two circles touch.
@@ -237,8 +239,8 @@ crate::tolerance::tolerances! {
     SMALL_ANGLE: f64 = 1e-3, "rad", "its tangent is off by 3e-10, its cosine by 4e-14",
         alone "it chooses between two computations";
 
-    /// Largest distance of the centres of two arcs that are nearly the same, as a share of the radius, and largest angle between
-    /// their beginnings or ends, rad.
+    /// Largest distance of the centres of two arcs that are nearly the same, as a share of the radius, and largest
+    /// angle between their beginnings or ends, rad.
     NEARLY_SAME_ARC: f64 = 1e-2, "1, rad", "others are compared at points",
         alone "it chooses between two computations";
 
@@ -250,8 +252,8 @@ crate::tolerance::tolerances! {
     /// Largest speed of the tip in units of its feed.
     FASTER: f64 = 1.01, "1", "no cut notices a hundredth", equals FASTER;
 
-    /// Largest ratio of the time of a block, where the speeds of axes within it are bounded, to the time that its slowest axis
-    /// needs.
+    /// Largest ratio of the time of a block, where the speeds of axes within it are bounded, to the time that its
+    /// slowest axis needs.
     TIME_BOUND: f64 = 1.015, "1", "the bound of the planner, and the speeds of the check at points", covers TIME_BOUND;
 
     /// Time of a block in which neither tip nor tool axis moves by a unit.
@@ -264,7 +266,8 @@ crate::tolerance::tolerances! {
     SLOWED_BY_ROUNDING: f64 = 0.99, "1", "a hundredth is more than the rounding of a tool axis costs",
         alone "the planner has the words of all axes";
 
-    /// Factor by which an axis may move farther within a block than its ends are apart, where the control finds the angles.
+    /// Factor by which an axis may move farther within a block than its ends are apart, where the control finds the
+    /// angles.
     EXCURSION: f64 = 2.0, "1", "it may go out and come back", alone "the planner has the words of all axes";
 
     /// Ratio of the motion of the linear axes to that of the tip above which the tool axis decides the ends of a block.

@@ -44,8 +44,8 @@ pub(super) fn vocabulary(machine: &dyn AnyMachine, policy: &CheckPolicy, units: 
     vocabulary
 }
 
-/// Declared effects that contradict the control's own language, and blocks in the place of statements of CL data that move an axis,
-/// each by its key.
+/// Declared effects that contradict the control's own language, and blocks in the place of statements of CL data that
+/// move an axis, each by its key.
 pub(crate) fn faults_of_lines<'b>(
     machine: &dyn AnyMachine,
     policy: &CheckPolicy,

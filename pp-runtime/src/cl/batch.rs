@@ -1,4 +1,5 @@
-//! Events that borrow nothing, in batches: they may come from another thread, with the facts about the file at their end.
+//! Events that borrow nothing, in batches: they may come from another thread, with the facts about the file at their
+//! end.
 
 use std::io;
 

@@ -16,8 +16,8 @@ pub enum Dialect {
     SolidWorks,
     /// ISO 4343. No record identifies it, so it must be given (`--dialect iso`).
     Iso,
-    /// The posts *Common ISO 4343 APT* and *CAMplete APT* of Autodesk (Fusion, Inventor CAM, HSMWorks). No record identifies
-    /// them, so they must be given (`--dialect autodesk`).
+    /// The posts *Common ISO 4343 APT* and *CAMplete APT* of Autodesk (Fusion, Inventor CAM, HSMWorks). No record
+    /// identifies them, so they must be given (`--dialect autodesk`).
     Autodesk,
 }
 

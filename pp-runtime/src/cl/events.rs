@@ -1,7 +1,7 @@
 //! Events of CL data in batches: read in this thread, or ahead in a thread of their own.
 //!
-//! A batch borrows nothing, so that it may come from another thread: the texts of its events are kept with it. The events and the
-//! order are those of [`ClReader::next_event`] either way.
+//! A batch borrows nothing, so that it may come from another thread: the texts of its events are kept with it. The
+//! events and the order are those of [`ClReader::next_event`] either way.
 
 use std::io::{self, Read, SeekFrom};
 use std::ops::ControlFlow;
@@ -131,8 +131,8 @@ impl<'a> ClEvents<'a> {
         Self { batches, options, batch: Batch::default(), used: 0, facts: None }
     }
 
-    /// Hands all events and the places of their statements to a function, up to the first that it stops at; returns what it
-    /// stopped with.
+    /// Hands all events and the places of their statements to a function, up to the first that it stops at; returns
+    /// what it stopped with.
     #[inline(always)]
     pub(crate) fn all<T>(
         &mut self,

@@ -2,8 +2,8 @@
 //!
 //! `text` splits bytes into statements, [`record`] makes typed [`Record`]s of them, and `meaning` applies units and
 //! modes and returns the [`Event`](crate::program::Event)s of [`program`](crate::program). The [`ClReader`] calls these
-//! three in turn and keeps subprograms and diagnostics; `batch` has its events in batches, and `events` hands them on, read ahead or not.
-//! Memory is constant: one read buffer, one buffer for joined
+//! three in turn and keeps subprograms and diagnostics; `batch` has its events in batches, and `events` hands them on,
+//! read ahead or not. Memory is constant: one read buffer, one buffer for joined
 //! statements, no allocation for a record that is understood.
 //!
 //! Reading goes on after an error, so that one run reports all errors of a file; no event is returned after the first.

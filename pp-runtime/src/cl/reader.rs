@@ -21,8 +21,8 @@ pub trait ReadSeek: Read + Seek {}
 
 impl<T: Read + Seek + ?Sized> ReadSeek for T {}
 
-/// If the unit mm is given by the caller only and no cutter of the file reaches this diameter, the file seems to be in inch:
-/// an error, or a warning if the unit is given for this file.
+/// If the unit mm is given by the caller only and no cutter of the file reaches this diameter, the file seems to be in
+/// inch: an error, or a warning if the unit is given for this file.
 const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;
 
 /// Reads CL data and returns its events one by one.
@@ -93,7 +93,8 @@ impl<R: Read> ClReader<R> {
         Ok(Some((here, event)))
     }
 
-    /// Reads the events of a batch: as many as it holds, or the rest. With the last of them come the facts about the file.
+    /// Reads the events of a batch: as many as it holds, or the rest. With the last of them come the facts about the
+    /// file.
     pub(super) fn fill(&mut self, batch: &mut Batch) {
         batch.clear();
         loop {

@@ -24,8 +24,8 @@ pub fn run_for(machine: &dyn AnyMachine) -> ExitCode {
     App::new().run_for(machine)
 }
 
-/// Runs the command line of the machine `M` on streams of the caller, in its process. `args`: name of the program, command,
-/// options.
+/// Runs the command line of the machine `M` on streams of the caller, in its process. `args`: name of the program,
+/// command, options.
 ///
 /// ```
 /// # use pp_runtime::cli;
@@ -67,8 +67,8 @@ impl App {
         Self::default()
     }
 
-    /// Adds a control; `--control` takes the name in its table. The first that is added is the default. A control of this crate
-    /// that has the same name is replaced.
+    /// Adds a control; `--control` takes the name in its table. The first that is added is the default. A control of
+    /// this crate that has the same name is replaced.
     #[must_use]
     pub fn control(mut self, control: &'static dyn Control) -> Self {
         self.controls.push(control);
@@ -93,7 +93,8 @@ impl App {
         self.execute(machine, &args, streams).into()
     }
 
-    /// Runs the command line of the machine `M` on streams of the caller. `args`: name of the program, command, options.
+    /// Runs the command line of the machine `M` on streams of the caller. `args`: name of the program, command,
+    /// options.
     #[must_use]
     pub fn run_with<M: Machine>(&self, args: &[OsString], streams: Streams<'_>) -> Status {
         self.execute(&M::default(), args, streams)

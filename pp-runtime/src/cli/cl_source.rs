@@ -1,5 +1,5 @@
-//! The CL data: a file, or a stream copied to a temporary file. It can be read several times, ahead in threads too, and must not
-//! change meanwhile.
+//! The CL data: a file, or a stream copied to a temporary file. It can be read several times, ahead in threads too, and
+//! must not change meanwhile.
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read, Seek, SeekFrom};
@@ -121,7 +121,8 @@ impl ClSource {
         &self.name
     }
 
-    /// Shows a progress bar from now on if the input is longer than a number of bytes. `passes`: how often it will be read.
+    /// Shows a progress bar from now on if the input is longer than a number of bytes. `passes`: how often it will be
+    /// read.
     pub(crate) fn show_progress(&mut self, passes: u64, longer_than: u64) {
         let length = self.input.file.metadata().map_or(0, |metadata| metadata.len());
         if length > longer_than {

@@ -1,7 +1,7 @@
 //! Standard streams that were closed when the program was started.
 //!
-//! Before `main` the standard library opens `/dev/null` in the place of a closed stream, so a program written to it would be
-//! lost without an error. Therefore the streams are looked at before that.
+//! Before `main` the standard library opens `/dev/null` in the place of a closed stream, so a program written to it
+//! would be lost without an error. Therefore the streams are looked at before that.
 
 use std::io::{self, Read, Write};
 use std::sync::atomic::{AtomicBool, Ordering};

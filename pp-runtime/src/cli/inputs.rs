@@ -94,7 +94,7 @@ pub(crate) fn show_progress(source: &mut ClSource, terminal: bool, args: &SetUpA
     }
 }
 
-/// The same for a simulation, which takes long for any CL data.
+/// Shows the progress of a simulation, which takes long for any CL data.
 #[cfg(feature = "simulate")]
 pub(crate) fn show_simulation(source: &mut ClSource, terminal: bool, args: &SetUpArgs) {
     if terminal && !args.quiet && args.message_format == MessageFormat::Human {
@@ -107,8 +107,8 @@ pub(crate) fn cl_file(path: &Path) -> Option<NamedFile<'_>> {
     (!is_standard(path)).then_some((path, "CL data"))
 }
 
-/// Refuses an output file that would replace an input file or another output file. Inputs are the configuration, if it is a
-/// file, the files of its solids, and `read`.
+/// Refuses an output file that would replace an input file or another output file. Inputs are the configuration, if it
+/// is a file, the files of its solids, and `read`.
 pub(crate) fn refuse_overwriting(
     (config_file, config): (Option<&Path>, &Config),
     read: &[NamedFile<'_>],

@@ -95,8 +95,8 @@ impl<'a> MessageWriter<'a> {
         }
     }
 
-    /// Findings in a program, in their order: by cause, the first block first. `file`: the CL data, whose lines `source`
-    /// gives; `program`: file name of the program.
+    /// Findings in a program, in their order: by cause, the first block first. `file`: the CL data, whose lines
+    /// `source` gives; `program`: file name of the program.
     pub(crate) fn findings(&mut self, file: &str, source: &mut dyn Read, program: Option<&str>, findings: &[Finding]) {
         let found: Vec<(&Finding, Diagnostic)> =
             findings.iter().map(|finding| (finding, finding.diagnostic())).collect();

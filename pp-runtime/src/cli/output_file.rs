@@ -1,8 +1,8 @@
 //! The file of the program: its final name holds a complete program, or does not exist.
 //!
 //! The program is written to a temporary file in the same folder and renamed when it is complete. An incomplete program
-//! goes to `OUT.rejected` instead, with the reason in its first line, and an earlier OUT is set aside as `OUT.earlier`: otherwise an
-//! old program could be run in place of the one that failed, and it may have been edited by hand.
+//! goes to `OUT.rejected` instead, with the reason in its first line, and an earlier OUT is set aside as `OUT.earlier`:
+//! otherwise an old program could be run in place of the one that failed, and it may have been edited by hand.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
@@ -103,7 +103,8 @@ impl OutputFile {
         }
     }
 
-    /// Writes the program to `OUT.rejected` with `reason` as its first line, and sets an earlier file of the final name aside.
+    /// Writes the program to `OUT.rejected` with `reason` as its first line, and sets an earlier file of the final name
+    /// aside.
     pub(crate) fn reject(self, reason: &[u8]) -> io::Result<Rejected> {
         let earlier = self.set_aside()?;
         let Destination::Renamed(mut file) = self.destination else { return Ok(Rejected { path: None, earlier }) };

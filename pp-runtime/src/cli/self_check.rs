@@ -2,8 +2,8 @@
 //! own.
 //!
 //! The bytes go to the output and, in pieces over a bounded channel, to the check, which opens and reads the CL data on
-//! its own. The last lines, with the end code, are held back until the check is done. A program with findings gets no end
-//! code. In a program without findings the figures of the check may be a comment before the end code.
+//! its own. The last lines, with the end code, are held back until the check is done. A program with findings gets no
+//! end code. In a program without findings the figures of the check may be a comment before the end code.
 
 use std::io::{self, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};

@@ -10,8 +10,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::{Builder, NamedTempFile};
 
-/// Named temporary files of this process. Whoever creates, renames or removes one holds the lock, so a signal finds all of
-/// them, and none of another process.
+/// Named temporary files of this process. Whoever creates, renames or removes one holds the lock, so a signal finds all
+/// of them, and none of another process.
 static NAMED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 fn named() -> MutexGuard<'static, Vec<PathBuf>> {
@@ -25,7 +25,8 @@ pub(crate) struct TemporaryFile {
 }
 
 impl TemporaryFile {
-    /// Creates a hidden file in a folder, with the permissions of an ordinary file (umask). `name`: the beginning of its name.
+    /// Creates a hidden file in a folder, with the permissions of an ordinary file (umask). `name`: the beginning of
+    /// its name.
     pub(crate) fn create(folder: &Path, name: &std::ffi::OsStr) -> io::Result<Self> {
         let mut prefix = std::ffi::OsString::from(".");
         prefix.push(name);
@@ -78,9 +79,9 @@ impl Drop for TemporaryFile {
     }
 }
 
-/// From now on a signal that ends the program (SIGHUP, SIGINT, SIGTERM) first removes the named temporary files, and a file
-/// that becomes larger than allowed (SIGXFSZ) is an error of writing. Signals that the program was started with ignored
-/// (`nohup`, `&` in a script) stay so.
+/// From now on a signal that ends the program (SIGHUP, SIGINT, SIGTERM) first removes the named temporary files, and a
+/// file that becomes larger than allowed (SIGXFSZ) is an error of writing. Signals that the program was started with
+/// ignored (`nohup`, `&` in a script) stay so.
 #[cfg(unix)]
 pub(crate) fn watch_signals() -> io::Result<()> {
     use std::sync::Arc;

@@ -1,8 +1,8 @@
-//! `view IN.cls [OUT.nc]`: a page that shows the program as the check's reader understands it; `post --view` writes the page
-//! of the program that it posts. `report IN.cls`: a set-up sheet of the posted program.
+//! `view IN.cls [OUT.nc]`: a page that shows the program as the check's reader understands it; `post --view` writes the
+//! page of the program that it posts. `report IN.cls`: a set-up sheet of the posted program.
 //!
-//! Without OUT.nc the CL data is posted to memory. With it the CL data is posted, too: lines that are equal have the reasons
-//! of the posted ones. A program with findings is shown, and the exit status is that of `check`.
+//! Without OUT.nc the CL data is posted to memory. With it the CL data is posted, too: lines that are equal have the
+//! reasons of the posted ones. A program with findings is shown, and the exit status is that of `check`.
 
 use std::fs;
 use std::io::{self, BufWriter, Seek as _, Write};
@@ -25,8 +25,8 @@ use super::self_check::Checking;
 /// Name of the program in memory, in messages.
 pub(crate) const IN_MEMORY: &str = "the program in memory";
 
-/// Times that the CL data is read to show a program: for what only the CL data states, and to execute the program where the
-/// run that posted it has not.
+/// Times that the CL data is read to show a program: for what only the CL data states, and to execute the program where
+/// the run that posted it has not.
 pub(crate) fn viewing_passes(written: &Written) -> u64 {
     1 + u64::from(written.execution.is_none())
 }

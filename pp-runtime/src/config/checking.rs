@@ -25,11 +25,12 @@ use super::Config;
 pub struct NotCheckable(String);
 
 impl Config {
-    /// Policy of the check of programs that are posted with this configuration. `cl_units`: unit of CL data that states none;
-    /// takes precedence over that of the configuration.
+    /// Policy of the check of programs that are posted with this configuration. `cl_units`: unit of CL data that states
+    /// none; takes precedence over that of the configuration.
     ///
     /// # Errors
-    /// [`NotCheckable`] if the configuration does not suit control or machine, or programs of the control cannot be read.
+    /// [`NotCheckable`] if the configuration does not suit control or machine, or programs of the control cannot be
+    /// read.
     pub fn check_policy<M: Machine>(
         &self,
         control: &dyn Control,

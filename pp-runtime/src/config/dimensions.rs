@@ -1,4 +1,5 @@
-//! What each length of a machine measures, for the comments of a configuration: which centre line it moves, and which way.
+//! What each length of a machine measures, for the comments of a configuration: which centre line it moves, and which
+//! way.
 
 use nalgebra::Vector3;
 
@@ -10,8 +11,8 @@ const LENGTH: f64 = 1.0;
 /// Largest difference of a component from 0 or from the test value, mm.
 const SAME: f64 = 1e-9;
 
-/// A sentence for each length that moves centre lines along an axis of the machine frame, found by moving them: the lengths are
-/// set to zero, and one after the other to 1 mm.
+/// A sentence for each length that moves centre lines along an axis of the machine frame, found by moving them: the
+/// lengths are set to zero, and one after the other to 1 mm.
 pub(super) fn meanings(machine: &dyn AnyMachine) -> String {
     let mut zero = machine.to_boxed();
     zero.set_up(Vector3::zeros(), 0.0);

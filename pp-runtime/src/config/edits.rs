@@ -6,9 +6,9 @@ use crate::check::policy::{EditPolicy, EditedBlock, MeantEdit};
 use crate::keys::{Bound, KeyKind, KeyReader, KeyScope, KeyTable, Measure, Printed, TomlValue, options};
 
 options! {
-    /// Permitted edits of a posted program. Permission comes from here, never from the program; F may go down, coolant may
-    /// change, waits may be longer, M0 and M1 may be added, the steps of a deep hole may be smaller, and within these factors F may
-    /// go up and S may change.
+    /// Permitted edits of a posted program. Permission comes from here, never from the program; F may go down, coolant
+    /// may change, waits may be longer, M0 and M1 may be added, the steps of a deep hole may be smaller, and within
+    /// these factors F may go up and S may change.
     pub struct EditOptions in "check" {
         /// Edits: `[[check.edits]]` with `block` (its number, "N120") or `line`, `old`, `new` and `reason`.
         edits: Vec<MeantEdit> = Vec::new(), key("check.edits", Edits);

@@ -61,8 +61,8 @@ pub(crate) use read::read_edits;
 pub use schema::schema;
 
 options! {
-    /// All options of a job, by stage. The default is that of LinuxCNC; for another control take its [`starting_point`], or
-    /// [`read`](Config::read) a file.
+    /// All options of a job, by stage. The default is that of LinuxCNC; for another control take its
+    /// [`starting_point`], or [`read`](Config::read) a file.
     pub struct Config {
         /// Unit of CL data that does not state its own. Without it such data is refused.
         cl_units: Option<Units> = None, key("cl_units", OneOf(&Units::NAMES), "\"mm\"");
@@ -101,8 +101,9 @@ impl Config {
     /// Step of the block numbers where they are requested without a step.
     pub const LINE_NUMBER_STEP: u32 = 10;
 
-    /// The configuration as a control carries it out: without the settings that the control lacks and a program does without,
-    /// which [`left_out`](Self::left_out) names. Posting and check use this form, so that one file serves several controls.
+    /// The configuration as a control carries it out: without the settings that the control lacks and a program does
+    /// without, which [`left_out`](Self::left_out) names. Posting and check use this form, so that one file serves
+    /// several controls.
     #[must_use]
     pub fn for_control(&self, control: &dyn Control) -> Self {
         let mut config = self.clone();

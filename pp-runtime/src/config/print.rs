@@ -13,12 +13,12 @@ use super::starting_point;
 /// Largest width of a comment line, in characters.
 const WIDTH: usize = 120;
 
-/// Returns a configuration file for `machine` and `control` with every default commented out, and with the places at the
-/// machine where its numbers are found.
+/// Returns a configuration file for `machine` and `control` with every default commented out, and with the places at
+/// the machine where its numbers are found.
 ///
 /// A line that begins with `#` and a key is a default; a line that begins with `# e.g.` shows a key without default.
-/// Read back unchanged the file gives the [`starting_point`] with the name of its control, so that unchanged keys stay marked as
-/// assumed.
+/// Read back unchanged the file gives the [`starting_point`] with the name of its control, so that unchanged keys stay
+/// marked as assumed.
 #[must_use]
 pub fn print(machine: &dyn AnyMachine, control: &dyn Control) -> String {
     let scope = KeyScope { examples: control.spellings().examples, ..scope(machine) };

@@ -29,8 +29,8 @@ pub(crate) fn read_edits(machine: &dyn AnyMachine, text: &str) -> Result<EditOpt
 }
 
 impl Config {
-    /// Reads a configuration file for the machine `M` and a control, which has number formats of its own: the configuration with
-    /// which the command line posts. A job has the same control.
+    /// Reads a configuration file for the machine `M` and a control, which has number formats of its own: the
+    /// configuration with which the command line posts. A job has the same control.
     ///
     /// # Errors
     /// All faults of the file, in the order of the text.

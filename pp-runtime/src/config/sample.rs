@@ -1,4 +1,5 @@
-//! A machine for tests of configuration and command line. Its axes, dimensions and limits are realistic, its kinematics are not.
+//! A machine for tests of configuration and command line. Its axes, dimensions and limits are realistic, its kinematics
+//! are not.
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 

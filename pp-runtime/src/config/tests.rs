@@ -365,7 +365,7 @@ crate::machine! {
 }
 
 crate::machine! {
-    /// The same with an inclination of its own.
+    /// A nutating head with an inclination of its own.
     struct NutatingAsDrawn;
     chain: X Y | Z C B;
     dims = { tilt: 45 deg };

@@ -1,5 +1,5 @@
-//! Fit of a configuration to a control: settings that the control does not support and a program is not safe without, and the
-//! functions that the planner may use (the [`Abilities`] of `motion`).
+//! Fit of a configuration to a control: settings that the control does not support and a program is not safe without,
+//! and the functions that the planner may use (the [`Abilities`] of `motion`).
 
 use super::dialects::{
     ArcCentre, Control, ControlFunction, CycleCodes, CycleForm, LengthCall, LinearRapids, PlaneGuard, RadiusGuard,
@@ -24,8 +24,8 @@ use crate::set_up::LengthMode;
 const LONGEST_TOOL_NAME: usize = 32;
 
 /// Settings that the control does not support and a program is not safe without, and reasons why machine, control and
-/// configuration do not suit the mode. One sentence each; empty if a program can be written. In mode `auto` a setting may
-/// still be missing for a stretch. What a program does without is in [`take_out_lacking`](super::take_out_lacking).
+/// configuration do not suit the mode. One sentence each; empty if a program can be written. In mode `auto` a setting
+/// may still be missing for a stretch. What a program does without is in [`take_out_lacking`](super::take_out_lacking).
 #[must_use]
 pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let mut faults = unsupported(control, demands);
@@ -55,7 +55,8 @@ pub fn usable_modes(machine: &dyn AnyMachine, control: &dyn Control, demands: De
     UsableModes::of(machine, demands.policy(), control.spellings().title, abilities.tip, has_planes)
 }
 
-/// Steps of indexed axes that the rotary words cannot state exactly: multiples of the rounded step would be other angles.
+/// Steps of indexed axes that the rotary words cannot state exactly: multiples of the rounded step would be other
+/// angles.
 fn unwritable_steps(demands: Demands<'_>) -> impl Iterator<Item = String> {
     let policy = demands.policy();
     let units_per_degree = 10_f64.powi(policy.formats.rotary.cast_signed());
@@ -333,8 +334,8 @@ fn no_moved_zero(codes: &Spellings, demands: Demands<'_>) -> Option<String> {
     ))
 }
 
-/// A linear axis whose word is not its letter. Arcs, cycles, planes, tip control and cutter compensation of a control count in X, Y
-/// and Z.
+/// A linear axis whose word is not its letter. Arcs, cycles, planes, tip control and cutter compensation of a control
+/// count in X, Y and Z.
 fn renamed_linear_axis(demands: Demands<'_>) -> Option<(char, &str)> {
     let renamed = demands.options.axes.iter().map(|(letter, name)| (*letter, name.as_str()));
     renamed.into_iter().find(|(letter, name)| "XYZ".contains(*letter) && !name.chars().eq([*letter]))

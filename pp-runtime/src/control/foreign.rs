@@ -1,4 +1,5 @@
-//! Lines that only another control reads: a configuration that serves several controls has the blocks of one shop floor.
+//! Lines that only another control reads: a configuration that serves several controls has the blocks of one shop
+//! floor.
 
 use super::dialects::Spellings;
 

@@ -1,17 +1,18 @@
 //! Settings that a control lacks and a program does without, so that one file serves several controls.
 //!
-//! Each is taken out and named with what the program has in its place. That holds for smoothing, for the form of the program
-//! (number, file header, block numbers), for functions that are offered and not asked for, and for a meaning of F that the
-//! control cannot have. What a program is not safe without is refused by [`unfit`](super::unfit): a work offset, an axis name,
-//! a length that would be active, a program number with more digits than the control stores, blocks that it cannot read.
+//! Each is taken out and named with what the program has in its place. That holds for smoothing, for the form of the
+//! program (number, file header, block numbers), for functions that are offered and not asked for, and for a meaning of
+//! F that the control cannot have. What a program is not safe without is refused by [`unfit`](super::unfit): a work
+//! offset, an axis name, a length that would be active, a program number with more digits than the control stores,
+//! blocks that it cannot read.
 
 use super::dialects::{Control, ControlFunction, Spellings};
 use super::options::{BlockNumbers, ControlOptions, Messages};
 use super::state_values::ControlState;
 use crate::motion::{OperationTable, PathNorm, Smoothing};
 
-/// Takes the settings that the control lacks out of the options. Returns one sentence each: the setting, and what the program
-/// has instead.
+/// Takes the settings that the control lacks out of the options. Returns one sentence each: the setting, and what the
+/// program has instead.
 pub fn take_out_lacking(
     control: &dyn Control,
     options: &mut ControlOptions,

@@ -1,9 +1,9 @@
-//! A turning machine that mills: how words of X become radii, the modes in which C is an axis and the tool is driven, and the
-//! spindle of the tool (`control.mill_turn`).
+//! A turning machine that mills: how words of X become radii, the modes in which C is an axis and the tool is driven,
+//! and the spindle of the tool (`control.mill_turn`).
 //!
-//! Public post for a Mazak INTEGREX i-200S (Autodesk's, revised): `G122.1` words of X are radii, `M302` the main spindle holds the
-//! part, `M200` C is an axis, `M252` the milling spindle is free, `M203`, `M204` and `M205` drive the tool. Autodesk's post for
-//! turning centres of Siemens: `S3=2000 M3=3`, the number of the spindle before the sign.
+//! Public post for a Mazak INTEGREX i-200S (Autodesk's, revised): `G122.1` words of X are radii, `M302` the main
+//! spindle holds the part, `M200` C is an axis, `M252` the milling spindle is free, `M203`, `M204` and `M205` drive the
+//! tool. Autodesk's post for turning centres of Siemens: `S3=2000 M3=3`, the number of the spindle before the sign.
 
 use serde_json::{Value as Json, json};
 

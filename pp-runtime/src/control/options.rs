@@ -43,15 +43,15 @@ impl<'a> Demands<'a> {
 options! {
     /// Settings of this control that differ from its standard codes. Blocks may hold fields in braces: {name},
     /// {number}, {units}, {work_offset}, {path_tolerance}; in a tool change also {tool} (where tools are called by name
-    /// the name, with its quotation marks), {tool_number}, {next}, {offset}, {speed} and {radius_delta} (Heidenhain, with
-    /// `compensation.path = "centre"`).
-    /// A word whose field has no value is left out; a block with {next} is left out where no tool follows. A cycle of several
-    /// lines (Heidenhain) has each line as an element, ending in `~` where the next one continues it.
+    /// the name, with its quotation marks), {tool_number}, {next}, {offset}, {speed} and {radius_delta} (Heidenhain,
+    /// with `compensation.path = "centre"`).
+    /// A word whose field has no value is left out; a block with {next} is left out where no tool follows. A cycle of
+    /// several lines (Heidenhain) has each line as an element, ending in `~` where the next one continues it.
     pub struct ControlOptions in "control" {
         /// Largest deviation from the programmed path where the control blends blocks.
         path_tolerance_mm: f64 = 0.01, key("path_tolerance", Measure::length(Bound::Positive).unless(nearly_zero));
-        /// Control for which this file is: the default of `--control`. With another `--control` it is refused; a file that serves
-        /// several controls leaves the key out.
+        /// Control for which this file is: the default of `--control`. With another `--control` it is refused; a file
+        /// that serves several controls leaves the key out.
         name: Option<String> = None, key("control.name", OneLine, "\"haas\"");
         /// Program number. Without this key it is 1.
         program_number: Option<u32> = None, key("control.program_number", Whole(1..=99_999), "1234");
@@ -72,18 +72,19 @@ options! {
         /// Preselect the next tool at each tool change.
         preselect: Option<bool> = None, key("control.preselect", YesNo, "true");
         /// On and off code of each kind of coolant: flood, mist, through (the spindle), air; and of its pressures
-        /// (COOLNT/THRU,HIGH): through_low, through_medium, through_high. They take the place of those of the control, and the
-        /// check refuses the codes that they replace. Each kind is switched off by its own code; where it is unknown which are
-        /// on, flood and mist are switched off.
+        /// (COOLNT/THRU,HIGH): through_low, through_medium, through_high. They take the place of those of the control,
+        /// and the check refuses the codes that they replace. Each kind is switched off by its own code; where it is
+        /// unknown which are on, flood and mist are switched off.
         coolant: [Option<[String; 2]>; 7] = [const { None }; 7], key("control.coolant", CoolantCodes);
         /// Smoothing by the control within `path_tolerance`: "none", "rough", "medium" or "finish".
         smoothing: Smoothing = Smoothing::None, key("control.smoothing", OneOf(&Smoothing::NAMES));
-        /// Numbers of the levels "rough", "medium" and "finish" where they are a word of their own (Fanuc: R of G05.1 Q1, 1 for
-        /// speed to 10 for accuracy, an option of the control). Without it the word is left out, and all levels are one.
+        /// Numbers of the levels "rough", "medium" and "finish" where they are a word of their own (Fanuc: R of G05.1
+        /// Q1, 1 for speed to 10 for accuracy, an option of the control). Without it the word is left out, and all
+        /// levels are one.
         smoothing_levels: Option<[u32; 3]> = None,
             key("control.smoothing_levels", ThreeLevels, "[1, 5, 10]");
-        /// Largest deviation of the tool axis while the control smooths; in degrees in the file (Heidenhain: TA of cycle
-        /// 32).
+        /// Largest deviation of the tool axis while the control smooths; in degrees in the file (Heidenhain: TA of
+        /// cycle 32).
         smoothing_angle_rad: Option<f64> = None,
             key("control.smoothing_angle", Measure::angle(Bound::Positive), "0.1");
         /// Meaning of F where a rotary axis moves: speed along "xyz" or "xyz+deg", or inverse time in "g93_min" (1/min)
@@ -92,63 +93,67 @@ options! {
         /// Whole numbers end with a decimal point.
         point: Option<bool> = None, key("control.point", YesNo, "true");
         /// Functions of the control that are installed: "tip_control", "planes", "dynamic_offset" (Haas: G254). All are
-        /// options at many makers. Without this key it has those three, as far as it can have them. A program ends a function
-        /// at each restart point where it is installed. Those of "scaling", "rotation", "polar", "setting_error" and "smoothing" are ended
-        /// where this list has them only: their codes raise an alarm on a control without them, and the header names the condition.
+        /// options at many makers. Without this key it has those three, as far as it can have them. A program ends a
+        /// function at each restart point where it is installed. Those of "scaling", "rotation", "polar",
+        /// "setting_error" and "smoothing" are ended where this list has them only: their codes raise an alarm on a
+        /// control without them, and the header names the condition.
         functions: Option<Vec<ControlFunction>> = None,
             key("control.functions", ListOf(OneOf(&ControlFunction::NAMES)), "[\"tip_control\", \"planes\"]");
-        /// Codes that switch tip control on and off in mode "tcp", or "none" where the control has no kinematics with tip control.
-        /// LinuxCNC may begin in such kinematics: with codes a program switches them off at each restart point, and without this key
-        /// "none" is assumed.
+        /// Codes that switch tip control on and off in mode "tcp", or "none" where the control has no kinematics with
+        /// tip control. LinuxCNC may begin in such kinematics: with codes a program switches them off at each restart
+        /// point, and without this key "none" is assumed.
         tip_control: Option<TipControlSwitch> = None, key("control.tip_control", TipControlKey, "[\"M428\", \"M429\"]");
-        /// Frame of the words in mode "plane" (Haas): "dynamic_offset" (G254: along the axes of the machine, from a zero that follows
-        /// the table; not with a rotary axis in the head, nor with `rotary_offset`), or "tilted_plane" (G268). Without this key it is
-        /// G254 where `functions` and the machine have it.
+        /// Frame of the words in mode "plane" (Haas): "dynamic_offset" (G254: along the axes of the machine, from a
+        /// zero that follows the table; not with a rotary axis in the head, nor with `rotary_offset`), or
+        /// "tilted_plane" (G268). Without this key it is G254 where `functions` and the machine have it.
         plane_by: Option<PlaneBy> = None, key("control.plane_by", OneOf(&PlaneBy::NAMES), "\"tilted_plane\"");
-        /// On a turning machine, at each restart point: `radius`, the block after which words of X are radii, or "parameter" where
-        /// they are by a setting; `modes`, blocks after which C is an axis and the tool is driven; and `spindle` of the tool, as
-        /// three codes (clockwise, counter-clockwise, off), as its number (Siemens: 3 for `S3=` and `M3=`), or "master" for that of M3.
-        /// Words of X are never diameters. Threads by a cycle need "master": the cycle runs that spindle.
+        /// On a turning machine, at each restart point: `radius`, the block after which words of X are radii, or
+        /// "parameter" where they are by a setting; `modes`, blocks after which C is an axis and the tool is driven;
+        /// and `spindle` of the tool, as three codes (clockwise, counter-clockwise, off), as its number (Siemens: 3 for
+        /// `S3=` and `M3=`), or "master" for that of M3. Words of X are never diameters. Threads by a cycle need
+        /// "master": the cycle runs that spindle.
         mill_turn: Option<MillTurn> = None, key("control.mill_turn", MillTurnKey);
         /// Name of the swivel data record of CYCLE800.
         swivel_data: Option<String> = None, key("control.swivel_data", OneLine, "\"TABLE\"");
-        /// Write the word of `tool_posture` where tip control is switched on (Fanuc: P of G43.4, an option of the control).
-        /// Without it a setting of the control decides (Fanuc: parameter 19604#0), which must be the same.
+        /// Write the word of `tool_posture` where tip control is switched on (Fanuc: P of G43.4, an option of the
+        /// control). Without it a setting of the control decides (Fanuc: parameter 19604#0), which must be the same.
         posture_word: bool = true, key("control.posture_word", YesNo);
-        /// Rapids are interpolated: all axes arrive together (Fanuc: parameter 1401#1; Siemens: RTLION). Links and the check
-        /// of travel limits and clearance geometry use this. Without it as the control is delivered: together on LinuxCNC,
-        /// Siemens and Heidenhain.
+        /// Rapids are interpolated: all axes arrive together (Fanuc: parameter 1401#1; Siemens: RTLION). Links and the
+        /// check of travel limits and clearance geometry use this. Without it as the control is delivered: together on
+        /// LinuxCNC, Siemens and Heidenhain.
         linear_rapids: Option<bool> = None, key("control.linear_rapids", YesNo, "true");
-        /// Blocks that measure the tool in the spindle, for tools with `measured = true`: after the tool change, with the machine
-        /// retracted before and after them, and before the length guard; where the axes are then: `tool_position`. Fields as in a
-        /// tool change. After them the modes of the safety line, work offset, position, spindle, coolant and length are stated
-        /// anew, as after those of `check_tool`.
+        /// Blocks that measure the tool in the spindle, for tools with `measured = true`: after the tool change, with
+        /// the machine retracted before and after them, and before the length guard; where the axes are then:
+        /// `tool_position`. Fields as in a tool change. After them the modes of the safety line, work offset, position,
+        /// spindle, coolant and length are stated anew, as after those of `check_tool`.
         measure_tool: Vec<String> = Vec::new(),
             key("cycles.measure_tool", Blocks(TemplateBlock(OF_TOOL)), "[\"G65 P9023 A12. T{tool}\"]");
-        /// Blocks that look for breakage of the tool in the spindle, for tools with `checked = true`: with the machine retracted
-        /// and the spindle off, before the next tool and at the end of the program.
+        /// Blocks that look for breakage of the tool in the spindle, for tools with `checked = true`: with the machine
+        /// retracted and the spindle off, before the next tool and at the end of the program.
         check_tool: Vec<String> = Vec::new(),
             key("cycles.check_tool", Blocks(TemplateBlock(OF_TOOL)), "[\"G65 P9023 A22. T{tool}\"]");
         /// Write every word in every block, modal words included.
         every_word: bool = false, key("control.every_word", YesNo);
         /// Effect of lines and words that the check does not know, by their text: lines of `[program]`, `safety`,
-        /// `tool_change` and INSERT, and codes in them. "none", "coolant", "spindle", "stop", "position lost", "state lost",
-        /// "measures", or "tool change" for a line with the field {tool}: that tool is in the spindle afterwards, as after the
-        /// tool change of the control (`"G65 P9001 T{tool}" = "tool change"`). A code with words of its own is declared as its
-        /// whole line: `"M68 E0 Q1" = "none"`. The check refuses them without it. After "state
-        /// lost" a safety line must state every mode again; on Heidenhain write `M137` (F per minute) after such a line.
+        /// `tool_change` and INSERT, and codes in them. "none", "coolant", "spindle", "stop", "position lost", "state
+        /// lost", "measures", or "tool change" for a line with the field {tool}: that tool is in the spindle
+        /// afterwards, as after the tool change of the control (`"G65 P9001 T{tool}" = "tool change"`). A code with
+        /// words of its own is declared as its whole line: `"M68 E0 Q1" = "none"`. The check refuses them without it.
+        /// After "state lost" a safety line must state every mode again; on Heidenhain write `M137` (F per minute)
+        /// after such a line.
         effects: BTreeMap<String, LineEffect> = BTreeMap::new(), key("control.effects", LineEffects);
-        /// Settings and parameters of the control on which the meaning of words depends, by the control's own names: Haas
-        /// "setting 22" (retract of G73, gap of G83) and "setting 52" (rise of G83 above R), Fanuc "5114" (retract of
-        /// G73) and "5115" (gap of G83). Lengths. Cycles that read one which is not given are named with the value that they
-        /// need.
+        /// Settings and parameters of the control on which the meaning of words depends, by the control's own names:
+        /// Haas "setting 22" (retract of G73, gap of G83) and "setting 52" (rise of G83 above R), Fanuc "5114" (retract
+        /// of G73) and "5115" (gap of G83). Lengths. Cycles that read one which is not given are named with the value
+        /// that they need.
         states: BTreeMap<String, f64> = BTreeMap::new(), key("control.states", States);
         /// Axis names that differ from the axis letters.
         axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AxisNames);
-        /// Machine retract: by a code of the control, "G53" or "G91 G28" (LinuxCNC, Fanuc, Haas), "SUPA" (Siemens), "M91" or
-        /// "M140" (Heidenhain: along the tool axis to the end of the travel), or by blocks of your own, as a list (without
-        /// M140). Without it the first of these. The reference position of G28 and the end of the travel must be `position`.
-        /// Out of tip control that ends with the length offset (Fanuc, Haas) the retract is always that of G53.
+        /// Machine retract: by a code of the control, "G53" or "G91 G28" (LinuxCNC, Fanuc, Haas), "SUPA" (Siemens),
+        /// "M91" or "M140" (Heidenhain: along the tool axis to the end of the travel), or by blocks of your own, as a
+        /// list (without M140). Without it the first of these. The reference position of G28 and the end of the travel
+        /// must be `position`. Out of tip control that ends with the length offset (Fanuc, Haas) the retract is always
+        /// that of G53.
         retract_method: Option<RetractMethod> = None, key("retract.method", RetractMethods, "\"G91 G28\"");
         /// Blocks around the program.
         program: ProgramBlocks = ProgramBlocks::default(), keys();
@@ -159,20 +164,21 @@ options! {
     /// Blocks and comments at the start and the end of the program and of its operations. Blocks may hold fields as in
     /// `[control]`.
     pub struct ProgramBlocks in "program" {
-        /// Blocks at the start of the program, after the comments and before the first restart point (N1): before any code, retract
-        /// and tool change, with the machine where the operator left it. A warm-up needs the tool away from the part: call a
-        /// program of the shop that retracts first, with the effect "state lost" (on Heidenhain with `M137` after it), or position
-        /// the machine by hand. It ends with the spindle off.
+        /// Blocks at the start of the program, after the comments and before the first restart point (N1): before any
+        /// code, retract and tool change, with the machine where the operator left it. A warm-up needs the tool away
+        /// from the part: call a program of the shop that retracts first, with the effect "state lost" (on Heidenhain
+        /// with `M137` after it), or position the machine by hand. It ends with the spindle off.
         start: Vec<String> = Vec::new(), key("program.start", Blocks(TemplateBlock(OF_PROGRAM)));
-        /// Blocks before the end code. Positions of the axes at the end: `park`. Their effect is not "state lost": spindle and
-        /// coolant are off where the program ends, as far as is known.
+        /// Blocks before the end code. Positions of the axes at the end: `park`. Their effect is not "state lost":
+        /// spindle and coolant are off where the program ends, as far as is known.
         end: Vec<String> = Vec::new(), key("program.end", Blocks(TemplateBlock(OF_PROGRAM)));
         /// Blocks at the start of each operation: after the tool change, before length offset, spindle and approach.
-        /// Fields as in a tool change. The machine retracts after them, and position, spindle, coolant and length are stated
-        /// anew; they must leave G90, plane and work offset as they are ("state lost" is for `start`).
+        /// Fields as in a tool change. The machine retracts after them, and position, spindle, coolant and length are
+        /// stated anew; they must leave G90, plane and work offset as they are ("state lost" is for `start`).
         operation_start: Vec<String> = Vec::new(),
             key("program.operation_start", Blocks(TemplateBlock(OF_TOOL)), "[\"M31\"]");
-        /// Blocks at the end of each operation, at the machine retract with the coolant off. Fields as in a tool change.
+        /// Blocks at the end of each operation, at the machine retract with the coolant off. Fields as in a tool
+        /// change.
         operation_end: Vec<String> = Vec::new(),
             key("program.operation_end", Blocks(TemplateBlock(OF_TOOL)), "[\"M33\"]");
         /// Write machining times as comments at the end.
@@ -182,11 +188,11 @@ options! {
         /// Blocks with a number: every block, in steps of this number (10), the "restarts" (the first block of each
         /// operation), the "tool_changes" (that of an operation that changes the tool), or "none".
         line_numbers: BlockNumbers = BlockNumbers::Restarts, key("program.line_numbers", NumberedBlocks);
-        /// Texts of PPRINT: a "comment", or "display" where the control displays a text while the program runs (LinuxCNC,
-        /// Siemens).
+        /// Texts of PPRINT: a "comment", or "display" where the control displays a text while the program runs
+        /// (LinuxCNC, Siemens).
         messages: Messages = Messages::Comment, key("program.messages", OneOf(&Messages::NAMES));
-        /// Comments at the start: "full", or "short" (set-up and tools, without axis directions, reading of the CL data and
-        /// assumptions, which the summary of posting still has).
+        /// Comments at the start: "full", or "short" (set-up and tools, without axis directions, reading of the CL data
+        /// and assumptions, which the summary of posting still has).
         header: ProgramHeader = ProgramHeader::Full, key("program.header", OneOf(&ProgramHeader::NAMES));
     }
 }
@@ -207,7 +213,7 @@ pub enum BlockNumbers {
     Step(u32),
     /// The first block of each restart point.
     Restarts,
-    /// The same where the tool changes.
+    /// The first block of each tool change.
     ToolChanges,
     /// None.
     None,
@@ -272,8 +278,8 @@ impl ControlOptions {
         }
     }
 
-    /// Form of the machine retract on a control; `None` for blocks of the configuration, and for a name that the control does
-    /// not have.
+    /// Form of the machine retract on a control; `None` for blocks of the configuration, and for a name that the
+    /// control does not have.
     pub(crate) fn retract_form(&self, codes: &Spellings) -> Option<RetractForm> {
         let form = |retract: &MachineRetract| retract.form;
         match &self.retract_method {

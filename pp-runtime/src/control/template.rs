@@ -203,8 +203,8 @@ pub fn check(text: &str, allowed: &[Field]) -> Result<(), BadTemplate> {
     if rest.contains(['{', '}']) { Err(BadTemplate::Brace) } else { Ok(()) }
 }
 
-/// The block of a template; `None` if no word of it is left, or it has `{next}` and no tool follows. A block may have several
-/// lines.
+/// The block of a template; `None` if no word of it is left, or it has `{next}` and no tool follows. A block may have
+/// several lines.
 pub(crate) fn fill(text: &str, value: impl Fn(Field) -> Option<String>) -> Option<String> {
     if !text.contains('\n') {
         return fill_line(text, &value);

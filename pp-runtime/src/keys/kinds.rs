@@ -179,8 +179,8 @@ impl<K: KeyKind> KeyKind for ListOf<K> {
 /// Last character of a line of a block that goes on in the next line (a cycle of Heidenhain).
 const GOES_ON: char = '~';
 
-/// Kind of key: a list of lines that are blocks. A line that ends in `~` and those that continue it are one block, whose lines
-/// have a line feed between them.
+/// Kind of key: a list of lines that are blocks. A line that ends in `~` and those that continue it are one block,
+/// whose lines have a line feed between them.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Blocks<K>(pub(crate) K);
 

@@ -156,8 +156,8 @@ pub(crate) fn read_into<K: KeyKind>(
 ///
 /// A row has a field, its type and its default, followed by one of
 /// - `key(path, kind)` or `key(path, kind, example)`: a key of the file. Its comment up to an empty line is its
-///   description in the sample and in the schema, and the documentation of the field. The example is shown if there is no
-///   default;
+///   description in the sample and in the schema, and the documentation of the field. The example is shown if there is
+///   no default;
 /// - `also(..)`: a key that the comment of the row before describes, too;
 /// - `keys()`: the field is a table of options itself;
 /// - nothing: the field is not a key of the file.

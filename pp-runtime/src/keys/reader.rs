@@ -19,7 +19,8 @@ pub(crate) type TomlValue<'a> = &'a Spanned<DeValue<'a>>;
 /// Largest plausible length. A larger one is a typing error, or inches are read as millimetres or the reverse.
 const LONGEST_MM: f64 = 1e5;
 
-/// Largest length, speed or angle: a word has nine digits before its point, and units of a millionth are counted exactly.
+/// Largest length, speed or angle: a word has nine digits before its point, and units of a millionth are counted
+/// exactly.
 const LARGEST: f64 = 1e9;
 
 /// Smallest number above zero, where zero is not permitted: a thousandth of the last digit of any word.

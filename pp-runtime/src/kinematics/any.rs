@@ -3,8 +3,8 @@
 //! Reader, planner, controls and check are compiled once, for `dyn AnyMachine`. A machine's binary then consists of its
 //! kinematics, their wrapper, and a link. The price is an indirect call for each pose.
 //!
-//! The methods have the names that they have in [`Machine`], so import one of the two traits, not both: on a machine whose
-//! type is known a call would be ambiguous. Methods of `dyn AnyMachine` need no import.
+//! The methods have the names that they have in [`Machine`], so import one of the two traits, not both: on a machine
+//! whose type is known a call would be ambiguous. Methods of `dyn AnyMachine` need no import.
 //!
 //! ```
 //! use pp_runtime::kinematics::any::AnyMachine;
@@ -35,8 +35,8 @@ pub type AxisValues = [f64; MAX_AXES];
 
 /// The object-safe form of [`Machine`], implemented for every `Machine` and for nothing else.
 ///
-/// Each method does what the method or constant of that name does in [`Machine`]; axis values have a fixed length. No other
-/// crate can implement it: `Words` is not public.
+/// Each method does what the method or constant of that name does in [`Machine`]; axis values have a fixed length. No
+/// other crate can implement it: `Words` is not public.
 pub trait AnyMachine: PoseWords + Send + Sync {
     /// [`Machine::NAME`].
     fn name(&self) -> &'static str;
@@ -53,7 +53,7 @@ pub trait AnyMachine: PoseWords + Send + Sync {
     /// [`Machine::C_SOURCE`].
     fn c_source(&self) -> CSource;
 
-    /// The same machine with the same set-up.
+    /// A copy of the machine, with its set-up.
     fn to_boxed(&self) -> Box<dyn AnyMachine>;
 
     /// [`Machine::dimension`].
@@ -86,8 +86,8 @@ pub trait AnyMachine: PoseWords + Send + Sync {
     fn inverse_kinematics(&self, pose: &Pose, held: &AxisValues) -> Solutions<AxisValues>;
     /// [`Machine::rotary_axes`].
     fn rotary_axes(&self, axis: &UnitVector3<f64>, held: &AxisValues) -> Solutions<RotaryAngles>;
-    /// Sets the linear axes of some axis values to those of [`Machine::linear_axes`]. Returns false, and changes nothing, where
-    /// there are none.
+    /// Sets the linear axes of some axis values to those of [`Machine::linear_axes`]. Returns false, and changes
+    /// nothing, where there are none.
     fn set_linear_axes(&self, tip: &Point3<f64>, axes: &mut AxisValues) -> bool;
     /// [`Machine::reach`].
     ///
@@ -126,7 +126,8 @@ fn full_bound(curves: BlockCurves) -> BlockDeviation {
     BlockDeviation::UpTo(curves.bound())
 }
 
-/// A linear axis that rotates with a rotary one, which is nearer to the bed: first the rotary axis. Held axes do not count.
+/// A linear axis that rotates with a rotary one, which is nearer to the bed: first the rotary axis. Held axes do not
+/// count.
 pub(crate) fn carried(axes: &[Axis]) -> Option<[&Axis; 2]> {
     let solved = |side: Side| axes.iter().filter(move |axis| !axis.held && axis.side == side);
     let (head, table): (Vec<&Axis>, Vec<&Axis>) =

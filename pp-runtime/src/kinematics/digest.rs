@@ -10,8 +10,8 @@ use super::AnyMachine;
 /// Bytes of the digest that are printed.
 const PRINTED: usize = 8;
 
-/// Digest of a machine: its axes and the formulas as declared, its joints for the dimensions in force, and the version of
-/// this crate; sixteen hexadecimal digits.
+/// Digest of a machine: its axes and the formulas as declared, its joints for the dimensions in force, and the version
+/// of this crate; sixteen hexadecimal digits.
 ///
 /// Two posts with the same digest have the same kinematics. Name, part origin and gauge length have no influence. It
 /// traces programs; it is no protection against intent.

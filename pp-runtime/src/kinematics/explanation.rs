@@ -1,11 +1,11 @@
-//! Types for the derivation of a machine's kinematics, and for its kinematics in C. `machine!` writes both into the generated
-//! code as constants; the commands `explain` and `kinematics` print them.
+//! Types for the derivation of a machine's kinematics, and for its kinematics in C. `machine!` writes both into the
+//! generated code as constants; the commands `explain` and `kinematics` print them.
 
 /// Kinematics of a machine as C99.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct CSource {
-    /// Names of the dimensions in the structure, in the order of [`Machine::DIMENSIONS`](super::Machine::DIMENSIONS): their
-    /// own, unless C or a compiler gives that name another meaning.
+    /// Names of the dimensions in the structure, in the order of [`Machine::DIMENSIONS`](super::Machine::DIMENSIONS):
+    /// their own, unless C or a compiler gives that name another meaning.
     pub fields: &'static [&'static str],
     /// Structure and functions. `@` is the place of a prefix for all names.
     pub text: &'static str,
@@ -57,8 +57,8 @@ pub struct Explanation {
     pub operations: Section,
     /// Check list for the machine: visible direction of motion of each axis.
     pub jog_sheet: Section,
-    /// The formulas as `verify` blocks in the language of [`machine!`](crate::machine): a declaration with them compiles. Not
-    /// among the [`sections`](Self::sections).
+    /// The formulas as `verify` blocks in the language of [`machine!`](crate::machine): a declaration with them
+    /// compiles. Not among the [`sections`](Self::sections).
     pub verify: Section,
 }
 

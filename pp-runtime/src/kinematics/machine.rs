@@ -23,7 +23,8 @@ pub struct Pose {
     pub axis: UnitVector3<f64>,
 }
 
-/// Largest differences between two poses, for the macros of the crate `approx`: `assert_abs_diff_eq!(a, b, epsilon = ..)`.
+/// Largest differences between two poses, for the macros of the crate `approx`:
+/// `assert_abs_diff_eq!(a, b, epsilon = ..)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PoseTolerance {
     /// Distance of the tips, mm.
@@ -122,8 +123,8 @@ pub struct Axis {
     pub side: Side,
     /// Sign of the word.
     pub sign: Sign,
-    /// Declared travel: of a rotary axis in axis values, rad; of a linear axis in machine coordinates, mm. `None` is endless
-    /// (`free`). A default: configuration may change it.
+    /// Declared travel: of a rotary axis in axis values, rad; of a linear axis in machine coordinates, mm. `None` is
+    /// endless (`free`). A default: configuration may change it.
     pub limits: Option<Limits>,
     /// Declared largest speed, mm/min or rad/min; `None` is unlimited. A default: configuration may change it.
     pub speed: Option<f64>,
@@ -233,7 +234,8 @@ pub trait Machine: Default + Clone + Send + Sync + 'static {
     fn inverse_kinematics(&self, pose: &Pose, held: &Self::Axes) -> Solutions<Self::Axes>;
 
     /// Angles of the solved rotary axes that give the tool the axis `axis`: those of
-    /// [`inverse_kinematics`](Self::inverse_kinematics), without the linear axes, and whether or not these are degenerate.
+    /// [`inverse_kinematics`](Self::inverse_kinematics), without the linear axes, and whether or not these are
+    /// degenerate.
     ///
     /// A machine written by hand may leave it out.
     fn rotary_axes(&self, axis: &UnitVector3<f64>, held: &Self::Axes) -> Solutions<RotaryAngles> {

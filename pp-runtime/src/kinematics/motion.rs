@@ -31,8 +31,8 @@
 //! is at `L s + e(s)` with `|e| <= b s (1 - s)/2`, `b` being the part of `P''(½)` along it plus `M/2`: it never
 //! reverses if `b <= 2 L`, and otherwise passes an end by at most `b/2 (½ - L/b)²`. The chord is `P'(½)` within `M/24`.
 //!
-//! Its speed, per block, is `|P'(s)| = |P'(½) + (s - ½) P''(½)|` within `M/8`. The square of the first term is a parabola
-//! of `s - ½` that opens upwards: it is largest at an end, `|P'(½)|² + |P'(½) · P''(½)| + |P''(½)|²/4`.
+//! Its speed, per block, is `|P'(s)| = |P'(½) + (s - ½) P''(½)|` within `M/8`. The square of the first term is a
+//! parabola of `s - ½` that opens upwards: it is largest at an end, `|P'(½)|² + |P'(½) · P''(½)| + |P''(½)|²/4`.
 //!
 //! An even motion along the chord has covered the share `s`; the tip is at most `b/8` ahead of it, or behind it.
 //!
@@ -43,9 +43,10 @@
 //! plane. `a0 × a1` is `(a(½) + a''(½)/8) × a'(½)` within `M/24 + |a'(½)| M/48` and terms of second order.
 //!
 //! # Lag
-//! CL data rotates the axis in step with the tip. The axis at share `s` is compared with the chord of the axes at `s`, whose
-//! direction is off that of an even rotation by `θ` by less than `0.0161 θ³` (`h³/3 (x - x³)` with `h = θ/2`, and terms of
-//! higher order). Where the tip is ahead of `s` by a part of its line, the axis lags by that part of `θ`: [`MotionBound::lag`].
+//! CL data rotates the axis in step with the tip. The axis at share `s` is compared with the chord of the axes at `s`,
+//! whose direction is off that of an even rotation by `θ` by less than `0.0161 θ³` (`h³/3 (x - x³)` with `h = θ/2`, and
+//! terms of higher order). Where the tip is ahead of `s` by a part of its line, the axis lags by that part of `θ`:
+//! [`MotionBound::lag`].
 
 use nalgebra::{UnitVector3, Vector3};
 
@@ -61,11 +62,11 @@ pub struct MotionBound {
     pub tip: f64,
     /// Upper bound of the angle of the tool axis from the great circle between the ends, rad; at most π.
     pub axis: f64,
-    /// Upper bound of the speed of the tip anywhere in the block, times the time of the block, mm. On a straight line at an
-    /// even speed it is the distance between the ends.
+    /// Upper bound of the speed of the tip anywhere in the block, times the time of the block, mm. On a straight line
+    /// at an even speed it is the distance between the ends.
     pub tip_rate: f64,
-    /// Upper bound of the angle of the tool axis from that of the evenly rotating motion at the same share of the block, rad; at
-    /// most π.
+    /// Upper bound of the angle of the tool axis from that of the evenly rotating motion at the same share of the
+    /// block, rad; at most π.
     pub axis_step: f64,
     /// Upper bound of the distance along its line by which the tip is ahead of an even motion, or behind it, mm.
     pub tip_step: f64,
@@ -75,8 +76,8 @@ pub struct MotionBound {
     pub turn: f64,
 }
 
-/// Certified deviation of one block, all axes moving linearly, from the motion in step with it: the tip at the same share of
-/// the straight line, and the tool axis at the same share of the chord between both axes.
+/// Certified deviation of one block, all axes moving linearly, from the motion in step with it: the tip at the same
+/// share of the straight line, and the tool axis at the same share of the chord between both axes.
 #[cfg(feature = "simulate")]
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StepBound {
@@ -103,8 +104,8 @@ const SAME_AXIS: f64 = 1e-9;
 /// Largest angle, rad, by which the tool axis may rotate in a block with a [rough bound](BlockCurves::rough_bound).
 const LARGEST_ROUGH_RATE: f64 = 0.25;
 
-/// Largest angle, rad, by which an even motion along the chord of two tool axes less than a rad apart is off an even rotation,
-/// per cube of the angle between them.
+/// Largest angle, rad, by which an even motion along the chord of two tool axes less than a rad apart is off an even
+/// rotation, per cube of the angle between them.
 const UNEVEN: f64 = 0.02;
 
 /// Relative rounding error of the bounds.
@@ -136,8 +137,8 @@ pub enum BlockDeviation {
     UpTo(MotionBound),
 }
 
-/// Motion of tip and tool axis in a block in which all axes move linearly. The vectors may be those of any frame that does not
-/// move in the block.
+/// Motion of tip and tool axis in a block in which all axes move linearly. The vectors may be those of any frame that
+/// does not move in the block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BlockCurves {
     /// Derivatives of the tip, mm.
@@ -146,8 +147,8 @@ pub struct BlockCurves {
     pub tool_axis: Vector3<f64>,
     /// Derivatives of the tool axis.
     pub axis: Curve,
-    /// Upper bound of the levers of the chain, mm. This and `turns` are used only for the rounding error of forward kinematics,
-    /// which is part of each bound.
+    /// Upper bound of the levers of the chain, mm. This and `turns` are used only for the rounding error of forward
+    /// kinematics, which is part of each bound.
     pub reach: f64,
     /// Sum of the rotary values, rad.
     pub turns: f64,
@@ -173,9 +174,10 @@ impl BlockCurves {
         })
     }
 
-    /// A bound that is never below [`bound`](Self::bound) and takes a fraction of its arithmetic; `None` unless it is below
-    /// `most`. Only the lengths of the derivatives count: with `b = |a''|/8 + M/48`, a deviation of the tool axis is at most
-    /// `asin b`, and that from the evenly rotating motion `asin` of the same with `|a''| (1 + V/2)`, divided by `1 - b`.
+    /// A bound that is never below [`bound`](Self::bound) and takes a fraction of its arithmetic; `None` unless it is
+    /// below `most`. Only the lengths of the derivatives count: with `b = |a''|/8 + M/48`, a deviation of the tool axis
+    /// is at most `asin b`, and that from the evenly rotating motion `asin` of the same with `|a''| (1 + V/2)`, divided
+    /// by `1 - b`.
     ///
     /// `V`, at most a quarter, is `|a'| + |a''|/2 + M/4`: so `b <= V/4`, the angle is at most `V (1 + V²/20)`, and
     ///
@@ -229,8 +231,8 @@ fn uneven(turn: f64) -> f64 {
 }
 
 impl MotionBound {
-    /// Upper bound of the angle, rad, by which the tool axis differs from the programmed one: that of the evenly rotating motion
-    /// where the tip is, or within `tip_mm` of there along its line.
+    /// Upper bound of the angle, rad, by which the tool axis differs from the programmed one: that of the evenly
+    /// rotating motion where the tip is, or within `tip_mm` of there along its line.
     #[must_use]
     #[inline]
     pub fn lag(&self, tip_mm: f64) -> f64 {
@@ -271,8 +273,8 @@ impl Curve {
         math::sqrt(self.rate.norm_squared() + along + 0.25 * self.bend.norm_squared()) + self.third / 8.0
     }
 
-    /// Largest angle between two unit vectors at the ends, rad: an arc of at most one rad is longer than its chord by less than
-    /// a twentieth of the cube of the chord.
+    /// Largest angle between two unit vectors at the ends, rad: an arc of at most one rad is longer than its chord by
+    /// less than a twentieth of the cube of the chord.
     #[inline]
     fn largest_turn(&self) -> f64 {
         let chord = length(&self.rate) + self.third / 24.0;
@@ -377,8 +379,8 @@ impl Moving {
     }
 }
 
-/// Tip and tool axis in the middle of a block, from the joints in the order tool to workpiece, each with its value and its
-/// change.
+/// Tip and tool axis in the middle of a block, from the joints in the order tool to workpiece, each with its value and
+/// its change.
 fn walk_joints(tool_axis: Vector3<f64>, joints: impl Iterator<Item = (AxisKind, Joint, f64, f64)>) -> (Moving, Moving) {
     let (mut tip, mut axis) = (Moving::still(Vector3::zeros()), Moving::still(tool_axis));
     for (kind, joint, value, change) in joints {

@@ -20,8 +20,8 @@ pub enum NotNearest {
     OutsideTravel {
         /// The first such axis of the first branch.
         axis: char,
-        /// Machine coordinate of a linear axis there, mm; value of a rotary axis, rad, as near to the present one as whole
-        /// revolutions permit.
+        /// Machine coordinate of a linear axis there, mm; value of a rotary axis, rad, as near to the present one as
+        /// whole revolutions permit.
         value: f64,
     },
 }
@@ -43,14 +43,15 @@ impl fmt::Display for NotNearest {
 
 impl core::error::Error for NotNearest {}
 
-/// The solution of a pose in which the rotary axes rotate least from `now`, in sum over the axes; of equal ones the first
-/// branch. Whole revolutions are added, and no solved axis leaves its declared travel. A rotary axis that is free at the pole, and
-/// held axes, keep their value of `now`.
+/// The solution of a pose in which the rotary axes rotate least from `now`, in sum over the axes; of equal ones the
+/// first branch. Whole revolutions are added, and no solved axis leaves its declared travel. A rotary axis that is free
+/// at the pole, and held axes, keep their value of `now`.
 ///
 /// The travel of a rotary axis is in axis values, that of a linear axis in machine coordinates. `machine_zero`: machine
-/// coordinate of each linear axis at axis value 0, mm, with the part of the gauge length that lies along the axis; in the order of
-/// the chain, and what it has for rotary axes is not read. It is the key `machine_zero` of a configuration plus that part of the
-/// length. Without it the travel of linear axes is not compared, as in a program that is posted without that key.
+/// coordinate of each linear axis at axis value 0, mm, with the part of the gauge length that lies along the axis; in
+/// the order of the chain, and what it has for rotary axes is not read. It is the key `machine_zero` of a configuration
+/// plus that part of the length. Without it the travel of linear axes is not compared, as in a program that is posted
+/// without that key.
 ///
 /// The choice is made for one pose; a program is planned as a whole by `motion`.
 ///

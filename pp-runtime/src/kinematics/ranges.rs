@@ -1,21 +1,21 @@
 //! Smallest and largest axis values during a part of a motion: certified, not sampled.
 //!
-//! Axes that move linearly are between their ends. Where the control keeps the tip on a path, the linear axes follow from the
-//! rotary axes: with `t = F(L, R)` the tip of linear values `L` and rotary values `R`,
+//! Axes that move linearly are between their ends. Where the control keeps the tip on a path, the linear axes follow
+//! from the rotary axes: with `t = F(L, R)` the tip of linear values `L` and rotary values `R`,
 //!
 //! ```text
 //! |F(L, R) - F(M, R)| >= σ |L - M|        σ: least singular value of the directions of the linear axes
 //! ```
 //!
-//! so that linear values differ by no more than tips do, divided by `σ`. Rotary axes that move evenly are compared with the
-//! motion of all axes between the same ends, whose tip is known by [`StepBound`].
+//! so that linear values differ by no more than tips do, divided by `σ`. Rotary axes that move evenly are compared with
+//! the motion of all axes between the same ends, whose tip is known by [`StepBound`].
 //!
 //! # A tool axis on a great circle
-//! The control finds the rotary values. Their rate is `|R'| <= θ/s`, with `θ` the angle of the tool axis and `s` the least
-//! singular value of the 3 x 2 matrix `J` of its rates by the rotary axes. `J` has columns `n × a` and `m × a`, which change
-//! by no more than √7 |ΔR| together. While `√7 |ΔR| <= s₀/2`, `s >= s₀/2` and `|ΔR| <= 2θ/s₀ = x`: if `√7 x <= s₀/2` this
-//! holds for the whole part, since `R` cannot leave without passing that distance. The linear values are
-//! bounded in the same manner: a bound that is larger than what follows from it is never reached.
+//! The control finds the rotary values. Their rate is `|R'| <= θ/s`, with `θ` the angle of the tool axis and `s` the
+//! least singular value of the 3 x 2 matrix `J` of its rates by the rotary axes. `J` has columns `n × a` and `m × a`,
+//! which change by no more than √7 |ΔR| together. While `√7 |ΔR| <= s₀/2`, `s >= s₀/2` and `|ΔR| <= 2θ/s₀ = x`: if
+//! `√7 x <= s₀/2` this holds for the whole part, since `R` cannot leave without passing that distance. The linear
+//! values are bounded in the same manner: a bound that is larger than what follows from it is never reached.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -56,8 +56,8 @@ impl AxisRanges {
         Some(between.with_linear(machine, off / stretch(machine, from, rotation(machine, from, to))?))
     }
 
-    /// The tool axis evenly on a great circle by an angle, rad, and the tip on a straight line; the control finds the rotary
-    /// axes. `None`: not found.
+    /// The tool axis evenly on a great circle by an angle, rad, and the tip on a straight line; the control finds the
+    /// rotary axes. `None`: not found.
     #[must_use]
     pub fn of_great_circle(machine: &dyn AnyMachine, from: &AxisValues, to: &AxisValues, angle: f64) -> Option<Self> {
         let rotary: Vec<usize> = solved(machine, AxisKind::Rotary).collect();
@@ -94,7 +94,7 @@ impl AxisRanges {
         Some(ranges.with_linear(machine, linear))
     }
 
-    /// The same with solved linear axes farther by a distance on both sides, mm.
+    /// These ranges with solved linear axes farther by a distance on both sides, mm.
     fn with_linear(mut self, machine: &dyn AnyMachine, by: f64) -> Self {
         for index in solved(machine, AxisKind::Linear) {
             self.low[index] -= by;

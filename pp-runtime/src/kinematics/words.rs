@@ -1,7 +1,8 @@
 //! Words of axis values: whole units of the last decimal of an address.
 //!
-//! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles. Both happen for
-//! each pose of a program, so they are compiled for each machine, with its number of axes and their places in the chain.
+//! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles. Both
+//! happen for each pose of a program, so they are compiled for each machine, with its number of axes and their places
+//! in the chain.
 
 use nalgebra::Point3;
 use wide::f64x2;
@@ -59,10 +60,10 @@ impl RotaryScale {
 
 /// Words of poses, computed in the loops of one machine.
 pub trait PoseWords {
-    /// Sets the linear words of a tip at the rotary axis values of `axes`, and the axis values of these words. `shifts`: written
-    /// word minus axis value, mm; of a rotary axis minus its word, in units. Returns the largest displacement of the tip by the
-    /// rounding, mm; `None`, with any words, where the axes are degenerate or a written word, also a rotary one, has more digits
-    /// than it may.
+    /// Sets the linear words of a tip at the rotary axis values of `axes`, and the axis values of these words.
+    /// `shifts`: written word minus axis value, mm; of a rotary axis minus its word, in units. Returns the largest
+    /// displacement of the tip by the rounding, mm; `None`, with any words, where the axes are degenerate or a written
+    /// word, also a rotary one, has more digits than it may.
     fn set_linear_words(
         &self,
         tip: &Point3<f64>,
@@ -244,7 +245,8 @@ impl Rotary {
         all.filter(move |&word| self.contains(word))
     }
 
-    /// Whether at most one word of a revolution is inside the limits, or taken: of an endless axis the one nearest to zero.
+    /// Whether at most one word of a revolution is inside the limits, or taken: of an endless axis the one nearest to
+    /// zero.
     pub(crate) fn has_one_turn(self, turn: i64) -> bool {
         self.lower.zip(self.upper).is_none_or(|(lower, upper)| upper - lower < turn)
     }

@@ -6,7 +6,8 @@
 //! memory does not grow with the number of motions: data kept for an operation, a tool or a change of the course is
 //! packed or bounded.
 //!
-//! The command line and [`post`](crate::post) run it. Its options are part of a configuration, its figures part of a report:
+//! The command line and [`post`](crate::post) run it. Its options are part of a configuration, its figures part of a
+//! report:
 //!
 //! ```
 //! use pp_runtime::config::Config;

@@ -11,8 +11,8 @@
 //!
 //! An operation may have a mode of its own in the configuration; then nothing is chosen for it.
 //!
-//! Where control or machine have no tip control or no planes, the words are axis positions. No plane is called that is not
-//! tilted while the rotary axes are at zero, so a vertical operation has no code of a frame.
+//! Where control or machine have no tip control or no planes, the words are axis positions. No plane is called that is
+//! not tilted while the rotary axes are at zero, so a vertical operation has no code of a frame.
 
 use nalgebra::UnitVector3;
 
@@ -275,7 +275,7 @@ impl ModeFinder {
         }
     }
 
-    /// The same for any item that is no straight motion.
+    /// Takes an item that is no straight motion.
     fn follow_other(&mut self, item: &ProgramItem<'_>) {
         match item.action {
             ItemAction::Line { .. } => {}

@@ -47,39 +47,39 @@ options! {
         /// Largest deviation of arcs and chords from the arcs and curves of the CL data, and of the tip from its line
         /// while a rotary axis moves.
         tolerance_mm: f64 = 0.01, key("tolerance", Measure::length(Bound::Positive).unless(beyond_words));
-        /// Largest angle of the tool axis from the great circle between two points. The rotary axes go evenly where they keep
-        /// to it, else by points on the great circle.
+        /// Largest angle of the tool axis from the great circle between two points. The rotary axes go evenly where
+        /// they keep to it, else by points on the great circle.
         axis_tolerance_path_rad: f64 = 0.1_f64.to_radians(),
             key("axis_tolerance_path", Measure::angle(Bound::Positive).unless(beyond_axis_words));
         /// Dwell after the start of the spindle, seconds.
         spindle_dwell_s: f64 = 0.0, key("spindle_dwell", Measure::plain(Bound::NotNegative).unless(no_dwell));
         /// Retract before STOP and OPSTOP.
         stop_retract: bool = true, key("stop_retract", YesNo);
-        /// Optional stops (M1) that the CL data does not program: "none", "tool_changes" (at each tool record that calls another
-        /// tool, after the last operation of the one before) or "operations" (after each operation of the CL data, at the name
-        /// of the next, TOOL PATH, and at each tool record). None comes where the CL data has STOP or OPSTOP after the last
-        /// motion, and none at the end.
+        /// Optional stops (M1) that the CL data does not program: "none", "tool_changes" (at each tool record that
+        /// calls another tool, after the last operation of the one before) or "operations" (after each operation of the
+        /// CL data, at the name of the next, TOOL PATH, and at each tool record). None comes where the CL data has STOP
+        /// or OPSTOP after the last motion, and none at the end.
         optional_stops: OptionalStops = OptionalStops::None, key("optional_stops", OneOf(&OptionalStops::NAMES));
         /// Preselect the first tool at the last tool change, for the next part, where tools are preselected.
         preselect_first: bool = true, key("control.preselect_first", YesNo);
         /// Park positions of axes at the end of the program: degrees, and machine coordinates of linear axes. Axes
         /// without one do not move.
         park: BTreeMap<char, f64> = BTreeMap::new(), key("park", PARK);
-        /// Positions of axes, after the machine retract, for the blocks of `cycles.measure_tool` and `cycles.check_tool`: degrees,
-        /// and machine coordinates of linear axes, which come last. Axes without one are where the last cut has left them: a
-        /// table that is tilted.
+        /// Positions of axes, after the machine retract, for the blocks of `cycles.measure_tool` and
+        /// `cycles.check_tool`: degrees, and machine coordinates of linear axes, which come last. Axes without one are
+        /// where the last cut has left them: a table that is tilted.
         tool_position: BTreeMap<char, f64> = BTreeMap::new(), key("cycles.tool_position", PARK);
         /// Meaning of the words of a motion: positions of the "axes" (on any control), coordinates of the tip under tip
-        /// control ("tcp"), coordinates of the tip in a tilted "plane" (3+2), or "auto": tip control where the tool axis
-        /// rotates at feed, else a tilted plane, and axis positions where the control has neither.
+        /// control ("tcp"), coordinates of the tip in a tilted "plane" (3+2), or "auto": tip control where the tool
+        /// axis rotates at feed, else a tilted plane, and axis positions where the control has neither.
         mode: Mode = Mode::Auto, key("mode", OneOf(&Mode::NAMES));
         /// Mode "auto": largest number of tool axes of an operation of fixed tool axes without holes, arcs and cutter
         /// compensation that gets a plane for each; one of more is written under tip control.
         auto_planes: u32 = 8, key("auto_planes", Whole(1..=MOST_PLANES));
-        /// Angle of the first rotary axis where the tool axis is parallel to it in all cuts from one motion in the air to
-        /// the next (vertical operations of a machine with a C table): "zero", so that X and Y are read as on the drawing, or
-        /// the "previous" one, which is also the "shortest" travel. A cut that rotates the tool axis away from there decides
-        /// the angle itself.
+        /// Angle of the first rotary axis where the tool axis is parallel to it in all cuts from one motion in the air
+        /// to the next (vertical operations of a machine with a C table): "zero", so that X and Y are read as on the
+        /// drawing, or the "previous" one, which is also the "shortest" travel. A cut that rotates the tool axis away
+        /// from there decides the angle itself.
         singular: Singular = Singular::Zero, key("singular", OneOf(&Singular::NAMES));
         /// Tip control, in mode `tcp`.
         tip: TipOptions = TipOptions::default(), keys();
@@ -115,9 +115,9 @@ options! {
         rotaries: RotaryOptions = RotaryOptions::default(), keys();
         /// Operations that are posted; all without it.
         selected: Option<Operations> = None;
-        /// Settings of single operations that differ from those of the whole program: by number (as in `--ops`), by the name
-        /// of TOOL PATH, or by a pattern with `*` and `?`; letter case is ignored. A number counts before a name, a name
-        /// before a pattern. `largest_feed` is the largest feed of the tip in feed motions.
+        /// Settings of single operations that differ from those of the whole program: by number (as in `--ops`), by the
+        /// name of TOOL PATH, or by a pattern with `*` and `?`; letter case is ignored. A number counts before a name,
+        /// a name before a pattern. `largest_feed` is the largest feed of the tip in feed motions.
         operations: OperationTable = OperationTable::default(), key("operations", OperationsTable);
         /// Dry run: distance by which every point is moved out along the tool axis, mm; the spindle stays off.
         lift_mm: Option<f64> = None;
@@ -148,8 +148,8 @@ options! {
     pub struct CourseOptions in "course" {
         /// Preferred branch of `explain` at the beginning of operations: "first" or "second".
         start_branch: Option<Branch> = None, key("course.start_branch", OneOf(&START_BRANCHES), "\"first\"");
-        /// Preferred side of zero of a rotary axis at the beginning of operations; where an operation begins at the pole,
-        /// after the cut that leaves it.
+        /// Preferred side of zero of a rotary axis at the beginning of operations; where an operation begins at the
+        /// pole, after the cut that leaves it.
         ///
         /// `true`: at or above zero.
         prefer: Option<(char, bool)> = None, key("course.prefer", Preference);
@@ -161,8 +161,8 @@ options! {
         /// Zero: within the rounding of CL data.
         axis_tolerance_rad: f64 = 0.0,
             key("course.axis_tolerance", Measure::angle(Bound::NotNegative).unless(another_path));
-        /// Largest rotation of a rotary axis at the pole with the tool in the cut: for a larger one the tool leaves the part.
-        /// Without it any.
+        /// Largest rotation of a rotary axis at the pole with the tool in the cut: for a larger one the tool leaves the
+        /// part. Without it any.
         rotation_at_pole_rad: Option<f64> = None,
             key("course.rotation_at_pole", Measure::angle(Bound::NotNegative), "45.0");
     }
@@ -173,18 +173,19 @@ options! {
     pub struct GuardOptions {
         /// Compare the posted length of a tool with the tool table of the control at the tool call, where the control
         /// can. Without it: only where the length matters because of a rotary axis in the head. Not with
-        /// `control.tool_names`: the program reads the length by the number of the tool. A tool that is measured in the program
-        /// must come out within `length_tolerance` of the posted length; where no rotary axis is in the head its length may be
-        /// any other, and false is right.
+        /// `control.tool_names`: the program reads the length by the number of the tool. A tool that is measured in the
+        /// program must come out within `length_tolerance` of the posted length; where no rotary axis is in the head
+        /// its length may be any other, and false is right.
         length_guard: Option<bool> = None, key("length_guard", YesNo, "true");
         /// Largest difference between the lengths.
         length_tolerance_mm: f64 = 0.01, also("length_tolerance", Measure::length(Bound::Positive).unless(unmeasurable));
-        /// Compare the positions of the rotary axes with those of the program after the control has tilted a plane (Siemens,
-        /// Heidenhain; the variables of Fanuc and Haas have positions by numbers of axes, which are the machine builder's).
+        /// Compare the positions of the rotary axes with those of the program after the control has tilted a plane
+        /// (Siemens, Heidenhain; the variables of Fanuc and Haas have positions by numbers of axes, which are the
+        /// machine builder's).
         plane_guard: bool = true, key("plane_guard", YesNo);
-        /// Stop at each restart point if a rotation, a scale, a mirror or a shift that lasts lies over the work offset (LinuxCNC: G92, G52
-        /// and the R of the offset; Siemens: all frames; Heidenhain: the basic rotation). Without it the header has the
-        /// condition. Set false where such a rotation is meant: the program does not know it.
+        /// Stop at each restart point if a rotation, a scale, a mirror or a shift that lasts lies over the work offset
+        /// (LinuxCNC: G92, G52 and the R of the offset; Siemens: all frames; Heidenhain: the basic rotation). Without
+        /// it the header has the condition. Set false where such a rotation is meant: the program does not know it.
         offset_guard: bool = true, key("offset_guard", YesNo);
         /// Largest spindle speed, rev/min. Without it speeds are not checked.
         spindle_max_rev_per_min: Option<f64> = None, key("spindle_max", Measure::plain(Bound::Positive), "12000");
@@ -253,7 +254,8 @@ impl MotionOptions {
     /// Chord tolerances, mm: below the range words are too coarse, above it the path is no longer followed.
     pub(crate) const TOLERANCE: RangeInclusive<f64> = 0.0001..=1.0;
 
-    /// Tolerances of the tool axis, degrees: below the range words are too coarse, above it the axis is no longer followed.
+    /// Tolerances of the tool axis, degrees: below the range words are too coarse, above it the axis is no longer
+    /// followed.
     pub(crate) const AXIS_TOLERANCE: RangeInclusive<f64> = 0.001..=10.0;
 }
 

@@ -1,4 +1,5 @@
-//! The tolerances of motion, and numbers of later stages that the check has to know. What a row is: [`crate::tolerance`].
+//! The tolerances of motion, and numbers of later stages that the check has to know. What a row is:
+//! [`crate::tolerance`].
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -72,7 +73,8 @@ crate::tolerance::tolerances! {
     UNEVEN_NEAR_POLE: f64 = 0.035, "rad", "there the first axis rotates more than 28 times as far as the tool",
         equals UNEVEN_NEAR_POLE;
 
-    /// Distance from a pole below which the control may leave the first rotary axis where it is and take the other branch.
+    /// Distance from a pole below which the control may leave the first rotary axis where it is and take the other
+    /// branch.
     CONTROL_CHOOSES_NEAR_POLE: f64 = 3e-4, "rad",
         "there that axis rotates the tool by less than a three-thousandth of its own angle",
         equals CONTROL_CHOOSES_NEAR_POLE;
@@ -93,7 +95,8 @@ crate::tolerance::tolerances! {
     /// Largest difference of words that are the same after a path through the pole.
     SAME_WORD_AFTER_POLE: i64 = 2, "units", "both are rounded", alone "the check has the words";
 
-    /// Sine or cosine of the middle of three angles of a plane below which only the sum or the difference of the others is known.
+    /// Sine or cosine of the middle of three angles of a plane below which only the sum or the difference of the others
+    /// is known.
     ONE_SUM_OF_ANGLES: f64 = 1e-12, "1", "the others would be rounding of arithmetic",
         alone "the check computes the plane from the written angles";
 
@@ -172,7 +175,8 @@ crate::tolerance::tolerances! {
     IN_CUTTER_PLANE: f64 = 2e-3, "mm",
         "in a tilted plane both ends of CL data with three decimals are up to 0.87 µm off", equals IN_CUTTER_PLANE;
 
-    /// Length of an offset element that is none, and largest excess of an arc or a lead-in over the offset that is none.
+    /// Length of an offset element that is none, and largest excess of an arc or a lead-in over the offset that is
+    /// none.
     LEAST_OFFSET: f64 = 1e-6, "mm", "a thousandth of the last digit of a word",
         alone "the check finds what is left without this margin: SPENT_SIDE";
 

@@ -1,8 +1,8 @@
 //! Digits of the numbers in words, and from what a number is computed.
 //!
-//! A word is computed from the exact numbers of the CL data, rounded once, and never from a word that has been rounded. Where the
-//! control derives a number from words, that number is judged as it follows from the rounded words, by the planner and by the
-//! check:
+//! A word is computed from the exact numbers of the CL data, rounded once, and never from a word that has been rounded.
+//! Where the control derives a number from words, that number is judged as it follows from the rounded words, by the
+//! planner and by the check:
 //!
 //! | number | who computes it | from |
 //! |---|---|---|
@@ -17,8 +17,8 @@
 //! | linear words | the writer | the exact tip, at the rounded angles of the rotary axes |
 //! | dwell in revolutions | the writer | the revolutions of the CL data, and S as written |
 //!
-//! Words of lengths have decimals of their own in inches. 1/min of inverse time, seconds, degrees and rev/min have no unit of length:
-//! their digits are the same in both.
+//! Words of lengths have decimals of their own in inches. 1/min of inverse time, seconds, degrees and rev/min have no
+//! unit of length: their digits are the same in both.
 
 use super::number::MOST_SIGNIFICANT;
 use crate::keys::{Whole, options};

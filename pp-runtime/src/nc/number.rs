@@ -91,8 +91,8 @@ impl Decimal {
         Ok(Self { units: if is_long { Self::without_last_digits(value, units, upper) } else { units }, decimals })
     }
 
-    /// A whole number in which digits before the point are rounded to zero, so that those before them are below `upper`; `units`:
-    /// all digits.
+    /// A whole number in which digits before the point are rounded to zero, so that those before them are below
+    /// `upper`; `units`: all digits.
     #[cold]
     fn without_last_digits(value: f64, units: i64, upper: f64) -> i64 {
         let mut left_out = 0;
@@ -121,11 +121,12 @@ const SHORT_LETTERS: usize = 6;
 /// Largest number of decimals of a short word.
 const SHORT_DECIMALS: usize = 6;
 
-/// Form of words that are written three digits at once: at most six letters, six digits before the point, and six decimals.
+/// Form of words that are written three digits at once: at most six letters, six digits before the point, and six
+/// decimals.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ShortForm {
-    /// Letters and sign before a number, and before a negative one: the first in the lowest byte, their number in the three
-    /// highest bits.
+    /// Letters and sign before a number, and before a negative one: the first in the lowest byte, their number in the
+    /// three highest bits.
     prefixes: [u64; 2],
     /// Fewest units that need more than six digits before the point; 0 if no word is short.
     too_many: u64,
@@ -159,8 +160,9 @@ impl ShortForm {
         }
         room[..8].copy_from_slice(&prefix.to_le_bytes());
         let start = (prefix >> 61) as usize;
-        // The whole number, and its fraction in units of 2^-64. The factor is at most 1 too small, so the product lacks at
-        // most `magnitude` of them. With `too_many` added it is too large, by at most 10^12 of them: less than a millionth.
+        // The whole number, and its fraction in units of 2^-64. The factor is at most 1 too small, so the product lacks
+        // at most `magnitude` of them. With `too_many` added it is too large, by at most 10^12 of them: less than a
+        // millionth.
         let scaled = u128::from(magnitude) * u128::from(self.factor) + u128::from(self.too_many);
         let (whole, fraction) = ((scaled >> 64) as usize, scaled as u64);
         let at = match FIRST_DIGITS.get(whole) {
@@ -184,8 +186,8 @@ impl ShortForm {
 
 const MILLION: u64 = 1_000_000;
 
-/// By the decimals of a short word the fewest units that need more than six digits before the point, and 2^64 - 1 divided by the
-/// units in 1, without its rest.
+/// By the decimals of a short word the fewest units that need more than six digits before the point, and 2^64 - 1
+/// divided by the units in 1, without its rest.
 const SCALES: [(u64, u64); SHORT_DECIMALS + 1] = {
     let mut scales = [(0, 0); SHORT_DECIMALS + 1];
     let mut decimals = 0;
@@ -207,8 +209,8 @@ fn prefixes(letters: &str, plus: bool) -> [u64; 2] {
     [if plus { signed(b'+') } else { text | count << 61 }, signed(b'-')]
 }
 
-/// Of each number below 1000 its digits as text without the zeros before them, the first one in the lowest byte, and how many
-/// they are, in the two highest bits.
+/// Of each number below 1000 its digits as text without the zeros before them, the first one in the lowest byte, and
+/// how many they are, in the two highest bits.
 const FIRST_DIGITS: [u32; 1000] = {
     let mut table = [0; 1000];
     let mut number = 0;
@@ -224,8 +226,8 @@ const FIRST_DIGITS: [u32; 1000] = {
     table
 };
 
-/// Of each number of thousandths a point, their digits without the zeros at the end, and a blank, the point in the lowest byte;
-/// their length in the three highest bits. Without digits a blank alone, or a point and a blank.
+/// Of each number of thousandths a point, their digits without the zeros at the end, and a blank, the point in the
+/// lowest byte; their length in the three highest bits. Without digits a blank alone, or a point and a blank.
 type Endings = [u64; 1024];
 
 /// Endings of numbers without and with a point after a whole number. Those after the first 1000 are of no number.
@@ -259,7 +261,8 @@ const fn ending_length(ending: u64) -> usize {
     (ending >> 61) as usize
 }
 
-/// Point and three digits of an ending with the zeros that it leaves out: all bits of a blank are in a zero and in a point.
+/// Point and three digits of an ending with the zeros that it leaves out: all bits of a blank are in a zero and in a
+/// point.
 #[inline(always)]
 const fn all_digits(ending: u64) -> u32 {
     ending as u32 | u32::from_le_bytes(*b".000")
@@ -484,7 +487,8 @@ mod tests {
         #[test]
         fn a_rounded_value_is_within_half_a_unit(value in -1.0e6_f64..1.0e6, decimals in 0_u32..=6) {
             let rounded = Decimal::fixed(value, decimals).expect("fits").value();
-            // The number of units is a product of binary64, and so is the value that it stands for: each may be half of its last bit off.
+            // The number of units is a product of binary64, and so is the value that it stands for: each may be half of
+            // its last bit off.
             let arithmetic = value.abs() * f64::EPSILON;
             prop_assert!((rounded - value).abs() <= 0.5 / power_of_ten(decimals) * (1.0 + 1e-9) + arithmetic);
         }

@@ -138,7 +138,8 @@ impl<'a> Writer<'a> {
         self.end = put_text(&mut self.buffer, self.end, text);
     }
 
-    /// Begins a block, if none is begun. In a block a blank follows each word; that after the last becomes the line feed.
+    /// Begins a block, if none is begun. In a block a blank follows each word; that after the last becomes the line
+    /// feed.
     #[inline]
     fn begin(&mut self) {
         let is_new = self.end == self.block;

@@ -58,8 +58,8 @@ fn depends_on_part_origin(machine: &dyn AnyMachine, control: &dyn Control, confi
     (positions || !is_part_frame(config)) && rotaries(machine, Side::Workpiece).next().is_some()
 }
 
-/// Whether a bound of a linear axis under a rotary table is compared with positions that the control computes: its travel, or
-/// its speed under tip control.
+/// Whether a bound of a linear axis under a rotary table is compared with positions that the control computes: its
+/// travel, or its speed under tip control.
 fn bounds_depend_on_part_origin(machine: &dyn AnyMachine, config: &Config, survey: &Survey) -> bool {
     let axes = machine.axes();
     let AxisBounds { limits, speeds } = config.set_up.travel(axes);
@@ -71,8 +71,8 @@ fn bounds_depend_on_part_origin(machine: &dyn AnyMachine, config: &Config, surve
     compared && rotaries(machine, Side::Workpiece).next().is_some()
 }
 
-/// Whether words of the program are positions of the axes, or coordinates in a frame that does not go with the part, on a
-/// machine with a rotary axis in the table.
+/// Whether words of the program are positions of the axes, or coordinates in a frame that does not go with the part, on
+/// a machine with a rotary axis in the table.
 pub(crate) fn has_positions(machine: &dyn AnyMachine, control: &dyn Control, config: &Config, survey: &Survey) -> bool {
     let abilities = control::abilities(control, config.demands());
     let moved_zero = TipStart::WithMotion { dynamic_offset: true };
@@ -487,7 +487,8 @@ impl Header<'_> {
         encoder.start()
     }
 
-    /// Lines of the header after the name of the program. `blank`: that of the program, for the graphics of the control.
+    /// Lines of the header after the name of the program. `blank`: that of the program, for the graphics of the
+    /// control.
     fn full(&self, assumptions: &[String], blank: Option<&Stock>) -> Vec<String> {
         let config = self.job.config;
         let mut lines = vec![
@@ -542,7 +543,7 @@ impl Header<'_> {
         lines
     }
 
-    /// The same with what the operator needs for this job alone: set-up, offsets and tools.
+    /// Lines of the header with what the operator needs for this job alone: set-up, offsets and tools.
     fn short(&self) -> Vec<String> {
         let (config, control) = (self.job.config, self.job.control);
         let mut lines = vec![
@@ -586,8 +587,9 @@ impl Header<'_> {
         self.survey.modes.has(StretchMode::Axes) || self.survey.modes.has(StretchMode::Tcp)
     }
 
-    /// The blank in the coordinates of the program, mm: that of the configuration, or else a box around all cuts and the
-    /// tool's radius. A cylinder that is not about X0 Y0 becomes the box around it. None where all cuts lie in one plane, and none in length mode `gauge`.
+    /// The blank in the coordinates of the program, mm: that of the configuration, or else a box around all cuts and
+    /// the tool's radius. A cylinder that is not about X0 Y0 becomes the box around it. None where all cuts lie in one
+    /// plane, and none in length mode `gauge`.
     fn blank(&self) -> Option<Stock> {
         let config = self.job.config;
         let mut blank = config.set_up.stock.or_else(|| self.around_cuts())?;
@@ -617,7 +619,8 @@ impl Header<'_> {
         boxes.reduce(around).map(|(lower, upper)| Stock { lower, upper, round: false })
     }
 
-    /// Lines about kinematics, axes, limits, work offset and tools. `tolerances`: the line about motions with rotary axes.
+    /// Lines about kinematics, axes, limits, work offset and tools. `tolerances`: the line about motions with rotary
+    /// axes.
     pub(crate) fn machine_lines(&self, tolerances: Option<String>) -> Vec<String> {
         let mut lines =
             vec![format!("KINEMATICS {} of pp-runtime {}", digest(self.machine), env!("CARGO_PKG_VERSION"))];
@@ -691,8 +694,8 @@ impl Header<'_> {
         (!values.is_empty()).then(|| format!("DIMENSIONS {}", values.join(", ")))
     }
 
-    /// Required setting of the control for rotary words below 0 or beyond 360; none where every rotary axis rolls over or has its
-    /// travel between them, or none has words.
+    /// Required setting of the control for rotary words below 0 or beyond 360; none where every rotary axis rolls over
+    /// or has its travel between them, or none has words.
     fn rotary_words(&self) -> Option<String> {
         let (wrap, codes) = (&self.job.config.motion.rotaries.wrap, self.job.control.spellings());
         let axes = self.machine.axes();
@@ -900,8 +903,8 @@ fn programmed_point(config: &Config) -> String {
     text
 }
 
-/// Whether the angles of a rotary axis with this travel are those that a control displays within one revolution, from 0 to
-/// 360°.
+/// Whether the angles of a rotary axis with this travel are those that a control displays within one revolution, from 0
+/// to 360°.
 fn is_within_one_revolution(travel: Limits) -> bool {
     // Degrees of a declaration are rounded in rad.
     travel.lower >= -CONVERTED_NOISE && travel.upper <= TAU + CONVERTED_NOISE

@@ -113,8 +113,8 @@ pub struct Report {
     /// Rewinds and travel of the rotary axes, as planned and as they would be chosen motion by motion; empty without
     /// rotary axes.
     pub course: String,
-    /// Angles of the rotary axes after the last motion, as the control displays them, degrees. An axis of unknown angle is
-    /// left out.
+    /// Angles of the rotary axes after the last motion, as the control displays them, degrees. An axis of unknown angle
+    /// is left out.
     pub rotary_end: Vec<(char, f64)>,
     /// Assumptions: settings that were not given, one sentence each.
     pub assumptions: Vec<String>,
@@ -122,8 +122,8 @@ pub struct Report {
     pub conditions: Vec<String>,
     /// What the words of axes mean, and what the control must hold for that, as in the header.
     pub settings: Vec<String>,
-    /// Linear axes whose limits were not checked, a retract whose way was not compared, and contours whose tool has no known radius,
-    /// with the reason; empty if all were.
+    /// Linear axes whose limits were not checked, a retract whose way was not compared, and contours whose tool has no
+    /// known radius, with the reason; empty if all were.
     pub unchecked: Vec<String>,
     /// Tool numbers in ascending order.
     pub tools: Vec<u32>,
@@ -189,7 +189,8 @@ impl Report {
         self.summary_with(&time::lines(&self.times), conditions.as_slice())
     }
 
-    /// The same with the conditions on the control, and without machining times, for a document that has those of the executed program.
+    /// The summary with the conditions on the control, and without machining times, for a document that has those of
+    /// the executed program.
     pub(crate) fn summary_without_times(&self) -> Vec<String> {
         let mut conditions: Vec<String> =
             self.conditions.iter().map(|condition| format!("condition: {condition}")).collect();

@@ -57,8 +57,8 @@ impl SelectedOperations {
         }
     }
 
-    /// Numbers of the selected operations, of `operations` in all; `None` for all, a sentence if they do not exist. Where they go on to
-    /// the end, the records after the last operation are selected, too.
+    /// Numbers of the selected operations, of `operations` in all; `None` for all, a sentence if they do not exist.
+    /// Where they go on to the end, the records after the last operation are selected, too.
     pub(super) fn numbers(&self, operations: u64) -> Option<Result<RangeInclusive<u64>, String>> {
         Some(match self.select.as_ref()? {
             Operations::Range(first, last) => {

@@ -2,9 +2,10 @@
 //! cut.
 //!
 //! The tip stays on one point while each rotary axis runs through its travel. Planned and written as every program is;
-//! its head has how to run it and what an indicator must show. With axis positions the linear axes follow the declaration: an
-//! indicator shows whether it is the machine. Under tip control the control moves them by its own data: the same indicator shows
-//! whether these are the machine, and so, with both programs, whether control and declaration agree.
+//! its head has how to run it and what an indicator must show. With axis positions the linear axes follow the
+//! declaration: an indicator shows whether it is the machine. Under tip control the control moves them by its own data:
+//! the same indicator shows whether these are the machine, and so, with both programs, whether control and declaration
+//! agree.
 
 use std::io;
 
@@ -46,8 +47,8 @@ pub struct Proof<'a> {
 /// Writes the proof program of a machine.
 ///
 /// # Errors
-/// A sentence that names what is missing in the set-up, or the position that cannot be reached; and what would do: a point near, or less
-/// travel of the rotary axes.
+/// A sentence that names what is missing in the set-up, or the position that cannot be reached; and what would do: a
+/// point near, or less travel of the rotary axes.
 pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, String> {
     prove_at(machine, proof).map_err(|reason| {
         let remedy = std::iter::once(None).chain(CAPS_DEG.map(Some)).find_map(|cap| remedy(machine, proof, cap));
@@ -58,8 +59,8 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
 /// Travels of the rotary axes that are tried where a proof program cannot be written, to both sides, degrees.
 const CAPS_DEG: [f64; 6] = [90.0, 60.0, 45.0, 30.0, 20.0, 10.0];
 
-/// A point above or beside that of a proof program at which the program can be written, in words, with less travel of the rotary axes
-/// where that is given, degrees.
+/// A point above or beside that of a proof program at which the program can be written, in words, with less travel of
+/// the rotary axes where that is given, degrees.
 fn remedy(machine: &dyn AnyMachine, proof: &Proof<'_>, cap_deg: Option<f64>) -> Option<String> {
     let mut config = proof.config.clone();
     let mut keys = Vec::new();
@@ -104,8 +105,8 @@ fn prove_at(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Stri
                 .to_owned(),
         );
     }
-    // A dry run with a distance of 0: no spindle, no coolant. Axis positions, because the declaration of the machine is to be
-    // shown; tip control where the configuration has it, because the data of the control is.
+    // A dry run with a distance of 0: no spindle, no coolant. Axis positions, because the declaration of the machine is
+    // to be shown; tip control where the configuration has it, because the data of the control is.
     let mode = match given.motion.mode {
         Mode::Tcp => Mode::Tcp,
         Mode::Auto | Mode::Axes | Mode::Plane => Mode::Axes,
@@ -202,7 +203,8 @@ fn survey(number: u32, point: &Point3<f64>, modes: StretchModes) -> Survey {
 struct Clear {
     /// There is such a table.
     table: bool,
-    /// Lowest height of tip and gauge line above its face, mm; `None`: the length of the tool is unknown, or it has no face.
+    /// Lowest height of tip and gauge line above its face, mm; `None`: the length of the tool is unknown, or it has no
+    /// face.
     lowest: Option<f64>,
 }
 

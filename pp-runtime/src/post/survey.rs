@@ -99,7 +99,8 @@ pub struct Stretches {
     pub held: u64,
     /// The tool axis turns at feed.
     pub turning: u64,
-    /// The same, and in the stretch before it in its operation as well: a link may lead from one to the other.
+    /// The tool axis turns at feed here and in the stretch before it in its operation: a link may lead from one to the
+    /// other.
     pub linked: u64,
 }
 
@@ -291,7 +292,7 @@ impl Surveyor {
         }
     }
 
-    /// The same for any item that is no straight motion.
+    /// Takes an item that is no straight motion.
     fn follow_other(&mut self, item: &ProgramItem<'_>) {
         match item.action {
             ItemAction::Line { .. } => {}

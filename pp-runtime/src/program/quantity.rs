@@ -1,7 +1,7 @@
 //! Lengths and feeds in messages: in the unit of the file, and without the noise of binary arithmetic.
 //!
-//! Inside, everything is in mm; `0.75 in` is 19.049999999999997 mm there. A message has at most seven significant digits: a
-//! micrometre in a position of metres.
+//! Inside, everything is in mm; `0.75 in` is 19.049999999999997 mm there. A message has at most seven significant
+//! digits: a micrometre in a position of metres.
 
 use std::fmt::{self, Display, Formatter};
 

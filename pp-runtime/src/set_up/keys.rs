@@ -373,7 +373,7 @@ pub(crate) const MACHINE_ZERO: PerAxis<f64> = PerAxis {
     schema: any_number,
 };
 
-/// The same for the reference point of the table.
+/// Machine coordinates of the linear axes with the gauge line on the reference point of the table.
 pub(crate) const TABLE_ZERO: PerAxis<f64> =
     PerAxis { read: |r, entry| linear_coordinate(r, entry, "table_zero"), ..MACHINE_ZERO };
 

@@ -31,8 +31,8 @@ impl SetUp {
         Ok(machine)
     }
 
-    /// [`machine`](Self::machine) for a machine whose type is not known. Dimensions that the set-up does not name stay as they
-    /// are in `machine`.
+    /// [`machine`](Self::machine) for a machine whose type is not known. Dimensions that the set-up does not name stay
+    /// as they are in `machine`.
     ///
     /// # Errors
     /// Those of [`machine`](Self::machine).
@@ -52,8 +52,8 @@ impl SetUp {
         machine.validate()
     }
 
-    /// The reason why the formulas of a machine do not hold with these dimensions, and the remedy. All dimensions that are
-    /// missing are named.
+    /// The reason why the formulas of a machine do not hold with these dimensions, and the remedy. All dimensions that
+    /// are missing are named.
     pub(crate) fn refusal(&self, machine: &dyn AnyMachine, invalid: &Invalid) -> (String, String) {
         let name = machine.name();
         match invalid {

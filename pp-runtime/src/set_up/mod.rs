@@ -70,9 +70,9 @@ options! {
     pub struct SetUp {
         /// Position of the part zero from the reference point of the table, along X, Y and Z of the table.
         part_origin: [f64; 3] = [0.0; 3], key("part_origin", LengthPoint);
-        /// Orientation of the part on the table: the CL data is rotated by `[rx, ry, rz]` degrees about X, then Y, then Z
-        /// of the table, or by a matrix given in rows. `floor`, `retract.clearance` and the tips in the header refer to
-        /// the part as it lies on the table.
+        /// Orientation of the part on the table: the CL data is rotated by `[rx, ry, rz]` degrees about X, then Y, then
+        /// Z of the table, or by a matrix given in rows. `floor`, `retract.clearance` and the tips in the header refer
+        /// to the part as it lies on the table.
         part_rotation: Rotation3<f64> = Rotation3::identity(), key("part_rotation", PartRotation);
         /// Offset of rotary axes: the word in the program is the axis value minus this offset; limits hold for the axis
         /// value. The other rotary entries of the work offset must be zero.
@@ -83,41 +83,42 @@ options! {
         /// active, or the "gauge" line, without length offset.
         length_mode: LengthMode = LengthMode::Tip, key("length_mode", OneOf(&LengthMode::NAMES));
         /// Work offset of the control: "G54", and "G59.1" (LinuxCNC), "G54.1 P3" (Fanuc), "G154 P3" (Haas), "G505"
-        /// (Siemens) or the row of the preset table, "3" (Heidenhain; G54 to G59 are rows 1 to 6). Its zero must be where the gauge line,
-        /// without tool and with the rotary axes at zero, is on the zero point of `program_zero`: for the part zero the machine
-        /// coordinates of `machine_zero`. Header and set-up sheet print them for each set-up where they are known. A preset of
-        /// Heidenhain is set at the machine, by touching off or probing; its zero is compared with them in the display REF, and
-        /// what its row holds with a rotary table differs from them.
+        /// (Siemens) or the row of the preset table, "3" (Heidenhain; G54 to G59 are rows 1 to 6). Its zero must be
+        /// where the gauge line, without tool and with the rotary axes at zero, is on the zero point of `program_zero`:
+        /// for the part zero the machine coordinates of `machine_zero`. Header and set-up sheet print them for each
+        /// set-up where they are known. A preset of Heidenhain is set at the machine, by touching off or probing; its
+        /// zero is compared with them in the display REF, and what its row holds with a rotary table differs from them.
         work_offset: String = "G54".to_owned(), key("work_offset", OffsetWord);
-        /// Machine coordinate of each linear axis with the gauge line, without tool, on the part zero and the rotary axes at
-        /// zero: where a tool touches the part zero, less its length along the tool. Without it linear limits are not checked.
-        /// It changes with `part_origin`; `table_zero` does not.
+        /// Machine coordinate of each linear axis with the gauge line, without tool, on the part zero and the rotary
+        /// axes at zero: where a tool touches the part zero, less its length along the tool. Without it linear limits
+        /// are not checked. It changes with `part_origin`; `table_zero` does not.
         machine_zero: BTreeMap<char, f64> = BTreeMap::new(), key("machine_zero", MACHINE_ZERO);
-        /// The same with the gauge line on the reference point of the table: a constant of the machine, from which `machine_zero`
-        /// follows for any `part_origin`. Give one of the two.
+        /// The same with the gauge line on the reference point of the table: a constant of the machine, from which
+        /// `machine_zero` follows for any `part_origin`. Give one of the two.
         table_zero: BTreeMap<char, f64> = BTreeMap::new(), key("table_zero", TABLE_ZERO);
-        /// Position of the axes when the program begins, linear axes in machine coordinates, for `simulate` and `view`. Without
-        /// it the machine is nowhere until its position is programmed.
+        /// Position of the axes when the program begins, linear axes in machine coordinates, for `simulate` and `view`.
+        /// Without it the machine is nowhere until its position is programmed.
         start_position: BTreeMap<char, f64> = BTreeMap::new(), key("start_position", START_POSITION);
-        /// Set-ups after the first, by number: the part is clamped again in one program. `frames` are the frames of the CL
-        /// data that belong to it, counted in the order in which they are first stated, or `begins` is the name of its first
-        /// operation; without both the second set-up is the second frame. Between set-ups the axes are parked and the program
-        /// stops (M0).
+        /// Set-ups after the first, by number: the part is clamped again in one program. `frames` are the frames of the
+        /// CL data that belong to it, counted in the order in which they are first stated, or `begins` is the name of
+        /// its first operation; without both the second set-up is the second frame. Between set-ups the axes are parked
+        /// and the program stops (M0).
         set_ups: BTreeMap<u32, FurtherSetUp> = BTreeMap::new(), key("set_ups", SetUpTable);
-        /// The blank as it lies on the table, for the graphics of the control (BLK FORM of Heidenhain, WORKPIECE of Siemens) and
-        /// for `simulate`: the corners `lower` and `upper` of a box, or `diameter`, `bottom` and `top` of a cylinder along Z
-        /// about the part zero. Without it a Heidenhain program has a box around all cuts.
+        /// The blank as it lies on the table, for the graphics of the control (BLK FORM of Heidenhain, WORKPIECE of
+        /// Siemens) and for `simulate`: the corners `lower` and `upper` of a box, or `diameter`, `bottom` and `top` of
+        /// a cylinder along Z about the part zero. Without it a Heidenhain program has a box around all cuts.
         stock: Option<Stock> = None, key("stock", BlankCorners);
-        /// Solids for `simulate` and `view`: an STL file (`"head.stl"`), or a table with `stl`, `box` (two corners), `cylinder`
-        /// (diameter, height) or `turned` (an outline of diameters and heights), with `at`, `rotate`, `name`; several in a
-        /// list. Those of `table`, `fixtures` and axes of the table side are in table coordinates, from the reference point of
-        /// the table, those of `spindle` and axes of the head from the gauge line, all axes at zero. Those of the `frame` do
-        /// not move, and are where they are in that position: the spindle nose at the reference point of the table. An axis
-        /// has what it moves without the axes after it. `stock` and `design` are in the coordinates of the CL data. Pairs of
-        /// `allow` may meet; other solids must keep the `clearance`.
+        /// Solids for `simulate` and `view`: an STL file (`"head.stl"`), or a table with `stl`, `box` (two corners),
+        /// `cylinder` (diameter, height) or `turned` (an outline of diameters and heights), with `at`, `rotate`,
+        /// `name`; several in a list. Those of `table`, `fixtures` and axes of the table side are in table coordinates,
+        /// from the reference point of the table, those of `spindle` and axes of the head from the gauge line, all axes
+        /// at zero. Those of the `frame` do not move, and are where they are in that position: the spindle nose at the
+        /// reference point of the table. An axis has what it moves without the axes after it. `stock` and `design` are
+        /// in the coordinates of the CL data. Pairs of `allow` may meet; other solids must keep the `clearance`.
         solids: Solids = Solids::default(), key("solids", SolidTable);
-        /// Tools by tool number. `length` is from the gauge line to the tip; `offset` and `radius_offset` are the registers
-        /// of length and radius if they are not the tool number; `speed`, `direction` and `coolant` as in `[defaults]`.
+        /// Tools by tool number. `length` is from the gauge line to the tip; `offset` and `radius_offset` are the
+        /// registers of length and radius if they are not the tool number; `speed`, `direction` and `coolant` as in
+        /// `[defaults]`.
         tools: BTreeMap<u32, GivenTool> = BTreeMap::new(), key("tools", ToolsByNumber);
         /// Dimensions of the machine where they differ from its declaration.
         dimensions: BTreeMap<String, f64> = BTreeMap::new(), key("dimensions", DimensionTable);
@@ -140,8 +141,8 @@ options! {
         part_origin: [f64; 3] = [0.0; 3], key("part_origin", LengthPoint);
         /// Orientation of the part, as `part_rotation`.
         part_rotation: Rotation3<f64> = Rotation3::identity(), key("part_rotation", PartRotation);
-        /// Zero of its CL data in the coordinates of the CL data of the first set-up, for `simulate`. Without it from the frames
-        /// that the CL data states.
+        /// Zero of its CL data in the coordinates of the CL data of the first set-up, for `simulate`. Without it from
+        /// the frames that the CL data states.
         cl_origin: Option<[f64; 3]> = None, key("cl_origin", LengthPoint, "[0.0, 0.0, -40.0]");
         /// Orientation of its CL data there, as `part_rotation`; with `cl_origin` only.
         cl_rotation: Rotation3<f64> = Rotation3::identity(), key("cl_rotation", PartRotation);
@@ -174,8 +175,8 @@ impl SetUp {
         Some(Clamping { part_origin: *part_origin, part_rotation: *part_rotation, work_offset })
     }
 
-    /// Machine coordinates of the gauge line on the zero point of a set-up, by linear axis, mm: what its work offset must hold.
-    /// Empty where neither `machine_zero` nor `table_zero` is given.
+    /// Machine coordinates of the gauge line on the zero point of a set-up, by linear axis, mm: what its work offset
+    /// must hold. Empty where neither `machine_zero` nor `table_zero` is given.
     #[must_use]
     pub fn work_offset_mm(&self, machine: &dyn AnyMachine, number: u32) -> BTreeMap<char, f64> {
         let Some(part) = self.clamping(number) else { return BTreeMap::new() };
@@ -198,11 +199,13 @@ impl SetUp {
 options! {
     /// Data of one tool, in addition to the CL data. Every key defaults to unknown.
     pub struct GivenTool {
-        /// Gauge length, from the gauge line to the tip, if the CL data gives none; another one in the CL data is an error.
+        /// Gauge length, from the gauge line to the tip, if the CL data gives none; another one in the CL data is an
+        /// error.
         length_mm: Option<f64> = None, key("length", Measure::length(Bound::NotNegative), "148.32");
         /// Cutting diameter, if the CL data gives none; another one in the CL data is an error.
         diameter_mm: Option<f64> = None, key("diameter", Measure::length(Bound::Positive), "10.0");
-        /// Diameter in the CL data that is that of the path, not of the tool: a CUTTER that is wider on purpose, to leave stock.
+        /// Diameter in the CL data that is that of the path, not of the tool: a CUTTER that is wider on purpose, to
+        /// leave stock.
         path_diameter_mm: Option<f64> = None, key("path_diameter", Measure::length(Bound::Positive), "10.4");
         /// All that the CL data states about this tool number is one tool, with the sizes that are given here.
         one_tool: bool = false, key("one_tool", YesNo);
@@ -228,13 +231,13 @@ options! {
         /// Blocks after each change to it, at the machine retract: chip conveyor, air. After them position, spindle,
         /// coolant and length are stated anew; they must leave G90, plane and work offset as they are.
         start: Vec<String> = Vec::new(), key("start", Blocks(OneLine), "[\"M31\"]");
-        /// Blocks when it has cut, before the next tool and at the end of the program, at the machine retract with spindle and
-        /// coolant off.
+        /// Blocks when it has cut, before the next tool and at the end of the program, at the machine retract with
+        /// spindle and coolant off.
         end: Vec<String> = Vec::new(), key("end", Blocks(OneLine), "[\"M33\"]");
         /// Point of this tool that the CL data programs: "tip", or "centre" of the corner radius.
         cl_point: Option<ClPoint> = None, key("cl_point", OneOf(&ClPoint::NAMES), "\"tip\"");
-        /// Shape of the cutting part, for `simulate`: "mill" (flat, bull or ball end, tapered too), "drill", "disc" (T-slot),
-        /// "lollipop" or "barrel". Without it a tool that only makes holes is a drill, any other one a mill.
+        /// Shape of the cutting part, for `simulate`: "mill" (flat, bull or ball end, tapered too), "drill", "disc"
+        /// (T-slot), "lollipop" or "barrel". Without it a tool that only makes holes is a drill, any other one a mill.
         shape: Option<ToolShape> = None, key("shape", OneOf(&ToolShape::NAMES), "\"mill\"");
         /// Corner radius, if the CL data gives none.
         corner_radius_mm: Option<f64> = None, key("corner_radius", Measure::length(Bound::NotNegative), "1.0");
@@ -248,7 +251,8 @@ options! {
         flute_length_mm: Option<f64> = None, key("flute_length", Measure::length(Bound::Positive), "25.0");
         /// Diameter of the shank, from the cutting edges up to the holder.
         shank_diameter_mm: Option<f64> = None, key("shank_diameter", Measure::length(Bound::Positive), "10.0");
-        /// Holder as cylinders, from its lower end up to the gauge line: diameter and height of each, one after the other.
+        /// Holder as cylinders, from its lower end up to the gauge line: diameter and height of each, one after the
+        /// other.
         holder_mm: Vec<f64> = Vec::new(), key("holder", ListOf(Measure::length(Bound::Positive)), "[32.0, 40.0, 63.0, 20.0]");
     }
 }

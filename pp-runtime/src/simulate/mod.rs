@@ -1,9 +1,9 @@
 //! Virtual machining: removal of material by moving tools, with certified ends.
 //!
-//! A [`Cutter`] is a few convex [`Profile`]s, a motion of one of them a [`SweptPiece`], and the stock a [`TriDexel`]: lines
-//! in three directions, of which the swept space is removed. Every new end is within a tolerance of the true sweep, on either
-//! side, however the tool turns and however closely a line grazes it: `sweep` has the mathematics. What lies between two lines
-//! is not seen: nothing thinner than the pitch is.
+//! A [`Cutter`] is a few convex [`Profile`]s, a motion of one of them a [`SweptPiece`], and the stock a [`TriDexel`]:
+//! lines in three directions, of which the swept space is removed. Every new end is within a tolerance of the true
+//! sweep, on either side, however the tool turns and however closely a line grazes it: `sweep` has the mathematics.
+//! What lies between two lines is not seen: nothing thinner than the pitch is.
 //!
 //! Motions are those of the check's stream, as the page gets them. The result is the same with any number of threads,
 //! and memory depends on the stock, not on the program. What is not given is named as assumed or not checked.
@@ -22,8 +22,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! `removal` has the stock and the moving tools, `bodies` triangles, `design` the comparison of the machined stock with what
-//! was wanted, `tools` the tools of a program as bodies. `simulate IN.cls` executes a written program: `program` turns its motions into pieces and contacts into findings.
+//! `removal` has the stock and the moving tools, `bodies` triangles, `design` the comparison of the machined stock with
+//! what was wanted, `tools` the tools of a program as bodies. `simulate IN.cls` executes a written program: `program`
+//! turns its motions into pieces and contacts into findings.
 
 mod bodies;
 mod design;

@@ -1,7 +1,7 @@
 //! Sine, cosine and arc tangent in C: those of [`math`](crate::kinematics::math), operation by operation.
 //!
-//! With the library of its system a header would give other last bits than the post, and where a decision hangs on them, at a
-//! pole or at the edge of the reach, another branch.
+//! With the library of its system a header would give other last bits than the post, and where a decision hangs on
+//! them, at a pole or at the edge of the reach, another branch.
 
 use crate::kinematics::math::{arc_tangent, sin_cos};
 

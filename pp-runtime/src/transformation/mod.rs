@@ -2,12 +2,12 @@
 //!
 //! - [`c_header`]: forward and inverse kinematics as C99, for firmware, simulators and other CAM.
 //! - [`linuxcnc`]: a kinematics module of LinuxCNC for this machine, with a simulated machine to try it.
-//! - [`compare_sheet`]: the parameters that the transformation of a Siemens, Fanuc, Heidenhain or Haas control must hold, or a
-//!   kinematics module that LinuxCNC brings, to be compared by the builder of the machine.
+//! - [`compare_sheet`]: the parameters that the transformation of a Siemens, Fanuc, Heidenhain or Haas control must
+//!   hold, or a kinematics module that LinuxCNC brings, to be compared by the builder of the machine.
 //!
 //! The formulas of the first two are those that were proven when the machine was compiled
-//! ([`CSource`](crate::kinematics::CSource)); only the frame around them is written here. The sheets are computed from the
-//! joints as declared. Nothing is written to files here.
+//! ([`CSource`](crate::kinematics::CSource)); only the frame around them is written here. The sheets are computed from
+//! the joints as declared. Nothing is written to files here.
 //!
 //! ```
 //! use pp_runtime::config::Config;

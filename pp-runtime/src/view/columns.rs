@@ -14,7 +14,8 @@ const LARGEST: f64 = ((1 << 30) - 1) as f64;
 /// Finest steps of a column are multiplied by this until all values are small enough.
 const COARSER: f64 = 10.0;
 
-/// Level of compression, 1 to 9: 4 takes half as long again for a twentieth of the length, 6 five times as long for a tenth.
+/// Level of compression, 1 to 9: 4 takes half as long again for a twentieth of the length, 6 five times as long for a
+/// tenth.
 const LEVEL: u32 = 2;
 
 /// Bits of a number of 32 bits: its sign, infinity, and those that are kept.
@@ -44,8 +45,8 @@ enum Form {
     Q32,
 }
 
-/// Columns one after the other. A column has the lowest bytes of all its values, then their next bytes, and so on: equal
-/// bytes are neighbours, which makes the text shorter by a quarter and its compression three times as fast.
+/// Columns one after the other. A column has the lowest bytes of all its values, then their next bytes, and so on:
+/// equal bytes are neighbours, which makes the text shorter by a quarter and its compression three times as fast.
 #[derive(Debug, Default)]
 pub(crate) struct Columns {
     list: Vec<Column>,

@@ -1,8 +1,8 @@
 //! Drawing of a machine at its zero position: which lengths its dimensions are, and which way each rotary axis turns.
 //!
-//! The table is at its reference point, and the spindle above it with a tool of [`GAUGE_LENGTH`], so that centre lines of the
-//! workpiece side are measured from the one and those of the tool side from the other. The views are not to scale where a
-//! dimension has no value yet.
+//! The table is at its reference point, and the spindle above it with a tool of [`GAUGE_LENGTH`], so that centre lines
+//! of the workpiece side are measured from the one and those of the tool side from the other. The views are not to
+//! scale where a dimension has no value yet.
 
 use std::f64::consts::PI;
 use std::io;

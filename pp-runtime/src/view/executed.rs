@@ -1,7 +1,8 @@
 //! The executed program as points: ends of motions, as the check's reader understands the written text.
 //!
-//! A point has the axis values, tip and tool axis, and belongs to a line of the program. Arcs, tool vectors and rotations are
-//! divided until a straight motion of the axes and a straight line of the tip both keep to the path within the tolerance.
+//! A point has the axis values, tip and tool axis, and belongs to a line of the program. Arcs, tool vectors and
+//! rotations are divided until a straight motion of the axes and a straight line of the tip both keep to the path
+//! within the tolerance.
 //!
 //! The position of the machine is followed in machine coordinates. A block whose words are not all known, such as the
 //! approach after a retract to a machine position, begins where the machine is. Where that is unknown, too, there is no
@@ -102,6 +103,8 @@ pub(crate) struct Executed {
     pub(crate) points: Vec<ExecutedPoint>,
     pub(crate) placements: Vec<ExecutedPlacement>,
     pub(crate) operations: Vec<ExecutedOperation>,
+    /// Lines with a motion to a machine position whose start or end is unknown, in order.
+    pub(crate) undrawn: Vec<u64>,
     /// In some rapids each axis moves on its own: their path is unknown, and drawn straight.
     pub(crate) rapids_apart: bool,
 }
@@ -206,8 +209,8 @@ impl ExecutedMotion<'_> {
         (self.at)(share, near).axes
     }
 
-    /// Certified smallest and largest axis values between two shares and the values there; `None` where the part must be
-    /// divided.
+    /// Certified smallest and largest axis values between two shares and the values there; `None` where the part must
+    /// be divided.
     pub(crate) fn axis_ranges(&self, shares: [f64; 2], ends: [&AxisValues; 2]) -> Option<AxisRanges> {
         self.bounds.ranges(shares, ends)
     }
@@ -276,16 +279,21 @@ impl Observer for Collector<'_> {
         match executed.block.action {
             Action::Nothing | Action::ToolChange | Action::Stop | Action::OptionalStop | Action::End => {}
             Action::Dwell(seconds) => self.wait(executed, seconds),
-            Action::Machine | Action::Reference { .. } | Action::EndOfTravel => match executed.machine_values() {
-                Some(values) => {
-                    self.follow_placement(executed, false);
-                    self.go_to_machine_position(executed, &values);
+            Action::Machine | Action::Reference { .. } | Action::EndOfTravel => {
+                match executed.machine_values() {
+                    Some(values) => {
+                        self.follow_placement(executed, false);
+                        self.go_to_machine_position(executed, &values);
+                    }
+                    None => {
+                        self.joined = false;
+                        self.forget(executed.block.written);
+                    }
                 }
-                None => {
-                    self.joined = false;
-                    self.forget(executed.block.written);
+                if !self.joined {
+                    self.executed.undrawn.push(executed.block.line);
                 }
-            },
+            }
             Action::Orient => {
                 self.follow_placement(executed, false);
                 self.orient(executed);

@@ -1,5 +1,5 @@
-//! The head of the page's data: machine, tools, operations, set-ups, findings. Lengths in mm, angles in degrees, times in
-//! seconds, feeds and speeds per minute.
+//! The head of the page's data: machine, tools, operations, set-ups, findings. Lengths in mm, angles in degrees, times
+//! in seconds, feeds and speeds per minute.
 
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
@@ -41,13 +41,21 @@ pub(crate) struct ViewHead<'a> {
     warnings: &'a [String],
     summary: Vec<String>,
     tolerance_mm: f64,
-    rapids_apart: bool,
+    path: ViewPath<'a>,
     points: usize,
     columns: Vec<Column>,
     reasons: &'a [&'static str],
     reason_texts: &'a [&'static str],
     kinds: &'a [&'static str],
     seconds: f64,
+}
+
+/// Motions that are not as they are drawn.
+#[derive(Debug, Serialize)]
+struct ViewPath<'a> {
+    rapids_apart: bool,
+    /// Lines with a motion to a machine position that is not drawn, because the machine zero is unknown.
+    undrawn: &'a [u64],
 }
 
 /// The machine as a chain of joints, from the workpiece to the tool.
@@ -149,6 +157,10 @@ impl<'a> ViewHead<'a> {
     pub(crate) fn of(program: &'a ViewedProgram<'a>, columns: Vec<Column>) -> Self {
         let executed = &program.executed;
         let seconds: f64 = executed.points.iter().filter_map(|point| point.seconds).sum();
+        let placements: Vec<ViewPlacement> =
+            executed.placements.iter().map(|placement| placement_of(program, placement)).collect();
+        let unknown_zero = placements.iter().any(|placement| placement.zero.contains(&None));
+        let undrawn = if unknown_zero { &executed.undrawn[..] } else { &[] };
         Self {
             format: FORMAT,
             compressed: true,
@@ -159,12 +171,12 @@ impl<'a> ViewHead<'a> {
             tools: tools(program),
             operations: operations(program),
             set_ups: set_ups(program),
-            placements: executed.placements.iter().map(|placement| placement_of(program, placement)).collect(),
+            placements,
             findings: program.checked.outcome.findings.iter().map(|found| finding(program, found)).collect(),
             warnings: &program.titles.warnings,
             summary: program.summary(),
             tolerance_mm: program.policy.tolerances.path_mm,
-            rapids_apart: executed.rapids_apart,
+            path: ViewPath { rapids_apart: executed.rapids_apart, undrawn },
             points: executed.points.len(),
             columns,
             reasons: &program.reasons.names,

@@ -4,10 +4,10 @@
 //! collects its points while it is checked, and holds them in memory. `cl_facts` has what only the CL data states,
 //! `reasons` why a line is there.
 //!
-//! The page is one file: `page` writes it, with the data of `head` and `columns` and the script of the folder `page/`; `html` has
-//! what all documents share. `sheet` has the
-//! facts that are readable without a script, in the page and in the set-up sheet (`report`), `picture` the drawings. Text from
-//! outside reaches a document as escaped text only.
+//! The page is one file: `page` writes it, with the data of `head` and `columns` and the script of the folder `page/`;
+//! `html` has what all documents share. `sheet` has the
+//! facts that are readable without a script, in the page and in the set-up sheet (`report`), `picture` the drawings.
+//! Text from outside reaches a document as escaped text only.
 
 mod cl_facts;
 mod columns;
@@ -172,7 +172,8 @@ impl<'a> ViewedProgram<'a> {
         self.simulated = Some(simulated);
     }
 
-    /// Set-up and tool offsets of each placement: machine coordinate of each linear axis less value and `machine_zero`, mm.
+    /// Set-up and tool offsets of each placement: machine coordinate of each linear axis less value and `machine_zero`,
+    /// mm.
     #[cfg(feature = "simulate")]
     pub(crate) fn placements(&self) -> impl Iterator<Item = (u32, &[f64; MAX_AXES])> {
         self.executed.placements.iter().map(|placement| (placement.set_up, &placement.offsets_mm))
@@ -234,7 +235,8 @@ impl<'a> ViewedProgram<'a> {
         self.executed.points.iter().map(at).collect()
     }
 
-    /// Corners of the blank in the coordinates of a set-up: that of the configuration in the first, or a box around all cuts.
+    /// Corners of the blank in the coordinates of a set-up: that of the configuration in the first, or a box around all
+    /// cuts.
     fn part_corners(&self, set_up: u32, cuts: &[&ExecutedPoint]) -> Option<[Point3<f64>; 2]> {
         if let Some(stock) = self.policy.set_up.stock.filter(|_| set_up == 1) {
             return Some([stock.lower.into(), stock.upper.into()]);

@@ -148,12 +148,13 @@ fn ranges(points: impl Iterator<Item = [f64; 2]>, (width, height): (u32, u32)) -
     })
 }
 
-/// Leaves points out that are near to the lines without them; as many as needed. Of straight lines at the same place one stays.
+/// Leaves points out that are near to the lines without them; as many as needed. Of straight lines at the same place
+/// one stays.
 fn simplified(lines: &[Vec<(f64, f64)>], finest: f64) -> Vec<Vec<(f64, f64)>> {
     let mut distance = finest;
     let mut simpler = simplified_once(lines, distance);
-    // Each round begins with the lines of the round before: all rounds together leave no point out that is farther from the
-    // lines than twice the last distance.
+    // Each round begins with the lines of the round before: all rounds together leave no point out that is farther from
+    // the lines than twice the last distance.
     while simpler.iter().map(Vec::len).sum::<usize>() > MOST_POINTS {
         distance *= 2.0;
         simpler = simplified_once(&simpler, distance);
@@ -170,8 +171,8 @@ fn simplified_once(lines: &[Vec<(f64, f64)>], distance: f64) -> Vec<Vec<(f64, f6
     simpler
 }
 
-/// The parts of a line that are inside a rectangle, by the parameters at which each piece enters and leaves it (Liang and
-/// Barsky).
+/// The parts of a line that are inside a rectangle, by the parameters at which each piece enters and leaves it (Liang
+/// and Barsky).
 fn clipped(line: &[(f64, f64)], [across, up]: &[Range<f64>; 2]) -> Vec<Vec<(f64, f64)>> {
     let mut parts: Vec<Vec<(f64, f64)>> = Vec::new();
     let mut joined = false;
@@ -372,7 +373,8 @@ fn draw_axes(program: &ViewedProgram<'_>, area: &Area<'_>) -> io::Result<()> {
     Ok(())
 }
 
-/// One view of the table: its reference point, the centre lines of its rotary axes, the part with its zero, and the path.
+/// One view of the table: its reference point, the centre lines of its rotary axes, the part with its zero, and the
+/// path.
 fn draw_table(
     program: &ViewedProgram<'_>,
     set_up: u32,

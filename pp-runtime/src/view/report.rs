@@ -104,7 +104,7 @@ fn literal(text: &str) -> String {
     written
 }
 
-/// The same as an item of a list: it begins no list of its own.
+/// Literal text as an item of a list: it begins no list of its own.
 fn literal_item(text: &str) -> String {
     let number = text.len() - text.trim_start_matches(|character: char| character.is_ascii_digit()).len();
     let (number, rest) = text.split_at(number);

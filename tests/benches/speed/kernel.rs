@@ -1,5 +1,5 @@
-//! The kinematics of a table C on B, written by hand as fast as its author could: what the generated functions are compared
-//! with. Axes in the order C B X Y Z; `d` is the height of both centre lines above the table.
+//! The kinematics of a table C on B, written by hand as fast as its author could: what the generated functions are
+//! compared with. Axes in the order C B X Y Z; `d` is the height of both centre lines above the table.
 
 use pp_runtime::kinematics::Pose;
 

@@ -1,9 +1,9 @@
 //! How fast the product is, as ratios of times in one run: machines differ and are noisy, their ratios hardly.
 //!
-//! The works of a group run in turn, many rounds, and the median of each is divided by that of the first. A group begins with
-//! what it is compared with: a kernel written by hand (`kernel`), a small postprocessor that does only the core of the job
-//! (`reference`), or the simplest file. Instructions are counted by `.ci/instructions`, which lists the works of the kinematics
-//! (`--list`) and runs them one by one (`--run NUMBER TIMES`).
+//! The works of a group run in turn, many rounds, and the median of each is divided by that of the first. A group
+//! begins with what it is compared with: a kernel written by hand (`kernel`), a small postprocessor that does only the
+//! core of the job (`reference`), or the simplest file. Instructions are counted by `.ci/instructions`, which lists the
+//! works of the kinematics (`--list`) and runs them one by one (`--run NUMBER TIMES`).
 
 mod kernel;
 mod parts;

@@ -1,6 +1,6 @@
-//! A postprocessor that does only the core of the job, for one table C on B, as fast as portable code does it: reads GOTO,
-//! solves, rounds the angles first, writes. No diagnostics, limits, planning, tolerance or feed. It is frozen: the product is
-//! compared with it, so it must not change.
+//! A postprocessor that does only the core of the job, for one table C on B, as fast as portable code does it: reads
+//! GOTO, solves, rounds the angles first, writes. No diagnostics, limits, planning, tolerance or feed. It is frozen:
+//! the product is compared with it, so it must not change.
 
 /// Degrees in whole units of four decimals.
 const UNITS_PER_RAD: f64 = 1e4 * 180.0 / std::f64::consts::PI;

@@ -54,8 +54,8 @@ pub fn chosen(data: &[u8]) -> Option<(&'static SetUp, &[u8])> {
 const SEPARATOR: &str = "\n=====\n";
 
 /// Posts CL data with any configuration: the first byte selects the control, then the configuration file comes, a line
-/// `=====`, and the CL data. A program that is written must be one whose check ends; it need not pass, since a configuration may
-/// contain lines that the check cannot know.
+/// `=====`, and the CL data. A program that is written must be one whose check ends; it need not pass, since a
+/// configuration may contain lines that the check cannot know.
 pub fn post_with_any_configuration(data: &[u8]) {
     let Some((choice, rest)) = data.split_first() else { return };
     let Ok(text) = std::str::from_utf8(rest) else { return };

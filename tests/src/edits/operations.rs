@@ -65,7 +65,8 @@ const OPERATIONS: &[Operation] = &[
     join_lines,
 ];
 
-/// Operations that leave every line as it is, and change their order: one line moves, two change places, one comes twice.
+/// Operations that leave every line as it is, and change their order: one line moves, two change places, one comes
+/// twice.
 const PERMUTATIONS: &[Operation] = &[move_line, move_line, swap_lines, swap_lines, duplicate_line];
 
 /// Largest number of lines by which a line moves.
@@ -175,7 +176,8 @@ fn insert_into_block(subject: &Subject, index: usize, random: &mut Random) -> Op
     Some(Change { kind: format!("insert words {row}"), from: index, to: index + 1, lines: vec![joined(line, &words)] })
 }
 
-/// A word of the control's alphabet at the end of a block: what a block does with it, comes after all else that it does.
+/// A word of the control's alphabet at the end of a block: what a block does with it, comes after all else that it
+/// does.
 fn append_word(subject: &Subject, index: usize, random: &mut Random) -> Option<Change> {
     let line = &subject.lines[index];
     let alphabet: Vec<&str> =
@@ -191,8 +193,8 @@ fn append_word(subject: &Subject, index: usize, random: &mut Random) -> Option<C
     Some(Change { kind: format!("append {word}"), from: index, to: index + 1, lines })
 }
 
-/// Two codes of a group, one here and the other some lines later, each on a line of its own or at the end of a block: what the
-/// first opens the second closes.
+/// Two codes of a group, one here and the other some lines later, each on a line of its own or at the end of a block:
+/// what the first opens the second closes.
 fn open_and_close(subject: &Subject, index: usize, random: &mut Random) -> Option<Change> {
     let group = *some(groups(subject.options.control), random)?;
     let (opens, closes) = (*some(group, random)?, *some(group, random)?);

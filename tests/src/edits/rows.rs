@@ -1,7 +1,7 @@
 //! Codes, words and lines that an edit may bring into a program: those that are posted, and many that are not.
 //!
-//! A row is inserted as a line of its own, or word by word into a block; `\n` separates lines. The rows are those of the
-//! programming manuals of the controls, not of the writer.
+//! A row is inserted as a line of its own, or word by word into a block; `\n` separates lines. The rows are those of
+//! the programming manuals of the controls, not of the writer.
 
 use crate::foreign::Control;
 

@@ -1,5 +1,5 @@
-//! Guards: lines that stop the program unless the control's tool length is the one posted, or its rotary axes are where a
-//! plane needs them.
+//! Guards: lines that stop the program unless the control's tool length is the one posted, or its rotary axes are where
+//! a plane needs them.
 //!
 //! | control | form |
 //! |---|---|
@@ -11,7 +11,8 @@
 //! | | `FN 20`, `FN 18` for each axis, `QL3 = ABS ( SIN ( ( QL1 - 30 ) / 2 ) ) + ..`, `FN 12`, a comment, `FN 14`, `LBL` |
 //! | | `FN 18` of ID210 NR1, `FN 9`, a comment, `FN 14`, `LBL` |
 //!
-//! A guard is whole, or refused: a program whose guard lacks a line, or compares something else, does something unknown.
+//! A guard is whole, or refused: a program whose guard lacks a line, or compares something else, does something
+//! unknown.
 
 use super::Control;
 use super::axes::{Axes, is_rotary};
@@ -285,7 +286,8 @@ fn siemens(text: &str) -> Option<(Effect, Vec<Due>)> {
     Some((effect, due))
 }
 
-/// `(ABS($P_ACTFRAME[X,RT])+..+ABS($P_ACTFRAME[Z,SC]-1)>t) OR $P_ACTFRAME[X,MI] OR ..`: nine components of the chain of all frames.
+/// `(ABS($P_ACTFRAME[X,RT])+..+ABS($P_ACTFRAME[Z,SC]-1)>t) OR $P_ACTFRAME[X,MI] OR ..`: nine components of the chain of
+/// all frames.
 fn is_frame(text: &str) -> bool {
     let Some((sum, mirrors)) = text.strip_prefix('(').and_then(|text| text.split_once(") OR ")) else { return false };
     let Some((terms, largest)) = sum.split_once('>') else { return false };

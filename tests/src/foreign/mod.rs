@@ -1,17 +1,17 @@
 //! A foreign interpreter: programs of all five controls, executed block by block.
 //!
 //! It shares no code with the postprocessor and imports nothing of it. Each block becomes one [`Executed`] with its
-//! [`Effect`] and the whole modal [`State`] after it; a program becomes a [`Trace`]. What the control, or this reader, does
-//! not know is refused and never passed over.
+//! [`Effect`] and the whole modal [`State`] after it; a program becomes a [`Trace`]. What the control, or this reader,
+//! does not know is refused and never passed over.
 //!
 //! Layers, each of which knows only the one below:
 //!
 //! 1. [`lexer`]: text into tokens, a lexer a family; `lexer::tidy` refuses untidy text.
 //! 2. `flow`: lines in the order in which they are executed, with numbers for variables and expressions.
-//! 3. `table`: tokens into a [`Command`](meaning::Command) of the common language in [`meaning`], a table a family. A new
-//!    code is a row.
-//! 4. `machine`: commands into effects and state, one machine for all controls; `machine::careful` refuses what a control
-//!    would execute and no careful programmer writes, such as a feed motion with the spindle off.
+//! 3. `table`: tokens into a [`Command`](meaning::Command) of the common language in [`meaning`], a table a family. A
+//!    new code is a row.
+//! 4. `machine`: commands into effects and state, one machine for all controls; `machine::careful` refuses what a
+//!    control would execute and no careful programmer writes, such as a feed motion with the spindle off.
 //! 5. [`trace`]: the result.
 //!
 //! Length guards take several lines and are recognised as a whole, in `guard`.
@@ -114,7 +114,8 @@ pub struct Options {
     pub pointed: bool,
     /// Fanuc and Haas read a number without a point as one with a point.
     pub plain_numbers: bool,
-    /// Blocks of the shop, such as codes of clamps, that the control's table does not have; they change no state known here.
+    /// Blocks of the shop, such as codes of clamps, that the control's table does not have; they change no state known
+    /// here.
     pub idle: Vec<String>,
 }
 

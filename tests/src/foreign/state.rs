@@ -1,7 +1,7 @@
 //! Everything that stays in force from one block to the next.
 //!
-//! `None` means that the program has not set it since it was entered. Lengths count in the unit of the program, angles in
-//! degrees, the spindle in rev/min.
+//! `None` means that the program has not set it since it was entered. Lengths count in the unit of the program, angles
+//! in degrees, the spindle in rev/min.
 
 use super::Control;
 use super::axes::Axes;

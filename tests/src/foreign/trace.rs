@@ -60,7 +60,8 @@ pub enum Effect {
         /// Difference allowed.
         tolerance: f64,
     },
-    /// The program stops unless the sum of |sin(d/2)| is at most this: d the differences of the rotary axes from these words.
+    /// The program stops unless the sum of |sin(d/2)| is at most this: d the differences of the rotary axes from these
+    /// words.
     PlaneGuard {
         /// Words.
         axes: Axes,
@@ -158,8 +159,8 @@ pub enum Feed {
 }
 
 impl Executed {
-    /// F of a block that cuts, that of its cycle before that in force; `None` for any other block, and for a thread, which
-    /// follows its pitch.
+    /// F of a block that cuts, that of its cycle before that in force; `None` for any other block, and for a thread,
+    /// which follows its pitch.
     #[must_use]
     pub fn feed(&self) -> Option<Feed> {
         let feed = match self.effect {

@@ -1,4 +1,5 @@
-//! The book in `docs`, without mdBook, and the READMEs: every listing is run, read or compiled, and every link leads somewhere.
+//! The book in `docs`, without mdBook, and the READMEs: every listing is run, read or compiled, and every link leads
+//! somewhere.
 //!
 //! The language of a listing decides what is done with it:
 //!
@@ -10,11 +11,11 @@
 //! | `sh` | too long for this test: each line is a command of `.ci` or of the template |
 //! | `rust`, `rust,no_run`, `rust,compile_fail` | compiled as documentation test of `tests/src/book.rs` |
 //!
-//! A listing of another kind is an error, and a picture in SVG is one that a command of its chapter writes. The folder of a chapter is empty at its start but for `examples`. A line `...` in a
-//! listing means any number of lines.
+//! A listing of another kind is an error, and a picture in SVG is one that a command of its chapter writes. The folder
+//! of a chapter is empty at its start but for `examples`. A line `...` in a listing means any number of lines.
 //!
-//! `PP_BLESS=1 cargo test --workspace --test book` writes the outputs into the chapters, without `...`: read every changed line,
-//! and shorten it.
+//! `PP_BLESS=1 cargo test --workspace --test book` writes the outputs into the chapters, without `...`: read every
+//! changed line, and shorten it.
 
 mod chapter;
 mod folder;

@@ -1,5 +1,5 @@
-//! The page of the messages, `docs/src/messages.md`: made from cases that are posted, so that each message and its remedy are
-//! those of the product.
+//! The page of the messages, `docs/src/messages.md`: made from cases that are posted, so that each message and its
+//! remedy are those of the product.
 //!
 //! `messages.txt` has the cases. A line `## ..` begins a group. A case ends with an empty line; its lines are
 //!
@@ -7,8 +7,8 @@
 //! - `config: ..`: a line of the configuration;
 //! - `options: ..`: options of the command;
 //! - `machine: ..`: the binary, if not `spinner-u5-620`;
-//! - `edit: .. => ..`, `delete: ..`: text of the posted program that is replaced or deleted, everywhere (`\n` is the end of a line);
-//!   the edited program is checked;
+//! - `edit: .. => ..`, `delete: ..`: text of the posted program that is replaced or deleted, everywhere (`\n` is the
+//!   end of a line); the edited program is checked;
 //! - `whole`: the CL data is as written, without the usual first lines;
 //! - all others: the CL data.
 

@@ -1,5 +1,5 @@
-//! The bundle of the page that the postprocessor contains is the one that its sources make, byte by byte, and their own tests
-//! pass.
+//! The bundle of the page that the postprocessor contains is the one that its sources make, byte by byte, and their own
+//! tests pass.
 //!
 //! Without Node, or where npm cannot fetch the pinned libraries, the test skips; `PP_REQUIRE_NODE=1` requires it.
 

@@ -1,8 +1,8 @@
 //! The page in a browser: Debian's Chromium, driven through its WebDriver.
 //!
-//! The tip and the joints of the machine are read from the matrices of the drawn scene and compared with the CL data and with
-//! the axis values of the check's reader (which `view.rs` compares with those of the page). Without Chromium the tests skip.
-//! Pictures of the pages are compared with those of the book.
+//! The tip and the joints of the machine are read from the matrices of the drawn scene and compared with the CL data
+//! and with the axis values of the check's reader (which `view.rs` compares with those of the page). Without Chromium
+//! the tests skip. Pictures of the pages are compared with those of the book.
 
 use std::io::{BufRead as _, BufReader};
 use std::process::{Child, Command, Stdio};
@@ -24,7 +24,8 @@ use tests::environment;
 use tests::page::{Page, number};
 use url::{ParseError, Url};
 
-/// Largest distance of a drawn tip from the point of the program, mm, and of a drawn joint from its value, mm and degrees.
+/// Largest distance of a drawn tip from the point of the program, mm, and of a drawn joint from its value, mm and
+/// degrees.
 const SAME: f64 = 1e-3;
 
 /// Largest distance of a drawn tip from the point of the CL data, mm: words are rounded.
@@ -36,7 +37,8 @@ const PATIENCE: Duration = Duration::from_secs(60);
 /// Pictures of the book.
 const PICTURES: [&str; 5] = ["lola-xoyzba", "spinner-u5-620", "dmu-70e", "multiprodesk", "simulation"];
 
-/// Largest mean difference of two pictures of one page, of 255: fonts and the rendering of lines differ between versions.
+/// Largest mean difference of two pictures of one page, of 255: fonts and the rendering of lines differ between
+/// versions.
 const SAME_PICTURE: f64 = 2.0;
 
 /// Points of a page that are looked at.
@@ -252,8 +254,8 @@ impl Browser {
         self.script("window.ppView.setColouring('motion')").await;
     }
 
-    /// Compares a picture of the page in the middle of its cuts with that of the book; `PP_BLESS=1` replaces that of the book.
-    /// Leaves the page.
+    /// Compares a picture of the page in the middle of its cuts with that of the book; `PP_BLESS=1` replaces that of
+    /// the book. Leaves the page.
     async fn compare_picture(&self, name: &str, page: &Page) {
         let cuts: Vec<usize> = (0..page.points()).filter(|point| page.kind(*point) == "feed").collect();
         self.script(&format!("window.ppView.seek({})", cuts[cuts.len() / 2])).await;
@@ -281,7 +283,8 @@ impl Browser {
         }
     }
 
-    /// Mean difference of two pictures, reduced to a quarter of their size; of 255 for black and white. The browser decodes them.
+    /// Mean difference of two pictures, reduced to a quarter of their size; of 255 for black and white. The browser
+    /// decodes them.
     async fn difference(&self, one: &[u8], other: &[u8]) -> f64 {
         const SCRIPT: &str = "
             const [one, other, done] = arguments;

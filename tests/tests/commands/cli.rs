@@ -610,8 +610,8 @@ fn a_file_that_becomes_larger_than_allowed_is_an_error_with_its_name() {
     assert_eq!(shop.names(), ["part.cls"]);
 }
 
-/// Starts a post whose map goes to a pipe that nobody reads, so that it waits with its program incomplete, and sends it a
-/// signal. Returns the signal that ended it, and the files that are left.
+/// Starts a post whose map goes to a pipe that nobody reads, so that it waits with its program incomplete, and sends it
+/// a signal. Returns the signal that ended it, and the files that are left.
 #[cfg(unix)]
 fn interrupted(signal: &str, prefix: &str) -> (Option<i32>, Vec<String>) {
     use std::os::unix::process::ExitStatusExt as _;

@@ -103,8 +103,8 @@ fn toml(text: &str) -> Value {
     serde_json::to_value(table).expect("TOML is JSON")
 }
 
-/// Files of `examples/config` for the machines of the papers, with the machine and the control of their names; those of the
-/// library are in its own tests.
+/// Files of `examples/config` for the machines of the papers, with the machine and the control of their names; those of
+/// the library are in its own tests.
 fn examples() -> Vec<(PathBuf, &'static str, &'static str)> {
     let folder = fs::read_dir(workspace().join("examples/config")).expect("the folder");
     let mut files: Vec<PathBuf> = folder.map(|entry| entry.expect("an entry").path()).collect();
@@ -225,8 +225,8 @@ fn every_key_that_the_table_of_functions_names_is_a_key_of_the_configuration() {
     }
 }
 
-/// `table_zero` gives the `machine_zero` that leads to the same place: the axes have to move from the reference point of the table to
-/// the part zero.
+/// `table_zero` gives the `machine_zero` that leads to the same place: the axes have to move from the reference point
+/// of the table to the part zero.
 fn machine_zero_follows<M: Machine>(dimensions: &str) {
     let (letters, origin) = (['X', 'Y', 'Z'], Vector3::new(12.3, -4.5, 45.6));
     let text = format!(

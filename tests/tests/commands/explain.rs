@@ -1,7 +1,7 @@
 //! The explanations that the machines print: compared word for word, and compiled where LaTeX is installed.
 //!
-//! `PP_BLESS=1 cargo test --workspace --test commands explain::` rewrites the texts; read every changed line against the papers
-//! before it is committed.
+//! `PP_BLESS=1 cargo test --workspace --test commands explain::` rewrites the texts; read every changed line against
+//! the papers before it is committed.
 
 use std::env;
 use std::fs;

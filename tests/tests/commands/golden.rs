@@ -1,7 +1,7 @@
 //! Golden programs: short parts, posted for each machine that suits them and compared byte for byte.
 //!
-//! `PP_BLESS=1 cargo test --workspace --test commands golden::` rewrites the programs; read every changed line before it is
-//! committed. The parts and their features:
+//! `PP_BLESS=1 cargo test --workspace --test commands golden::` rewrites the programs; read every changed line before
+//! it is committed. The parts and their features:
 //!
 //! | part | holds |
 //! |---|---|
@@ -72,8 +72,8 @@ const WORKS: &[(&str, &str, &str)] = &[
     ("tests/data/works/works.cls", "tests/data/works/table.toml", "spinner-u5-620"),
 ];
 
-/// A whole job: two set-ups, four tools, holes and threads, tilted faces with arcs and cutter compensation, a blade with a
-/// rewind.
+/// A whole job: two set-ups, four tools, holes and threads, tilted faces with arcs and cutter compensation, a blade
+/// with a rewind.
 const MIXED: (&str, &str) = ("tests/data/mixed/mixed.cls", "tests/data/mixed/mixed.toml");
 
 /// One-way passes with a rotating tool axis, linked as in the CL data.

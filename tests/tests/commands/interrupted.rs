@@ -1,5 +1,6 @@
-//! A cut that goes on after a stop, OPSKIP or NC text begins where the last motion ended: no part of it is lost, on every control,
-//! in each mode; and a check that finds it lost. An operation with a name or a tool begins at its first point.
+//! A cut that goes on after a stop, OPSKIP or NC text begins where the last motion ended: no part of it is lost, on
+//! every control, in each mode; and a check that finds it lost. An operation with a name or a tool begins at its first
+//! point.
 
 use machines::SpinnerU5620;
 use pp_runtime::config::{Config, starting_point};

@@ -1,7 +1,7 @@
 //! Packages outside the workspace, with the kinematics alone and the serde derives.
 //!
-//! One has a single dependency and no std: a static library with its own panic handler. If `std` were linked, there would be
-//! two handlers and the build would fail. The other writes poses and machines as JSON and reads them back.
+//! One has a single dependency and no std: a static library with its own panic handler. If `std` were linked, there
+//! would be two handlers and the build would fail. The other writes poses and machines as JSON and reads them back.
 
 use std::path::Path;
 use std::process::Command;
@@ -119,7 +119,8 @@ fn main() {
 }
 "##;
 
-/// Builds a package outside the workspace with the versions of the workspace: it needs no network. Output of the command.
+/// Builds a package outside the workspace with the versions of the workspace: it needs no network. Output of the
+/// command.
 fn package(manifest: &str, file: &str, source: &str, command: &str) -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace");
     let folder = tempfile::tempdir().expect("a temporary folder");

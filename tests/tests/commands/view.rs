@@ -1,5 +1,5 @@
-//! `view` and `report`: the data of the page compared with the check's reader, with the oracle's matrices and with the CL data;
-//! text from outside, edited programs, sizes, and the set-up sheets.
+//! `view` and `report`: the data of the page compared with the check's reader, with the oracle's matrices and with the
+//! CL data; text from outside, edited programs, sizes, and the set-up sheets.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -421,7 +421,24 @@ fn the_machine_is_followed_through_its_retracts() {
     }
 }
 
-/// Axis values of a program for LinuxCNC, followed word by word: mm and degrees, in the order of the chain; `None`: unknown.
+#[test]
+fn motions_to_machine_positions_are_listed_where_the_machine_zero_is_unknown() {
+    let page = inclined();
+    let listed: Vec<u64> = page.head["path"]["undrawn"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(|line| line.as_u64().expect("a line"))
+        .collect();
+    let blocks = page.program.lines().zip(1..).filter(|(text, _)| !text.starts_with('('));
+    let expected = blocks.filter(|(text, _)| text.contains("G53 ")).map(|(_, line)| line);
+    assert_eq!(listed, expected.collect::<Vec<u64>>());
+    assert!(!listed.is_empty());
+    assert!((0..page.points()).all(|point| !listed.contains(&page.line(point))));
+}
+
+/// Axis values of a program for LinuxCNC, followed word by word: mm and degrees, in the order of the chain; `None`:
+/// unknown.
 struct Followed {
     oracle: Oracle,
     letters: Vec<char>,

@@ -62,7 +62,7 @@ const ENGINE: &[(&str, &[&str])] = &[
     ("formula", &["model", "solve", "symbolic"]),
     ("verify", &["check", "formula", "model", "report", "solve", "suggest", "symbolic", "syntax"]),
     ("explain", &["formula", "model", "solve", "symbolic", "verify"]),
-    ("emit", &["explain", "formula", "model", "solve", "symbolic", "syntax"]),
+    ("emit", &["check", "explain", "formula", "model", "solve", "symbolic"]),
 ];
 
 /// Modules used by each module of the first level, with a module in it that does.
@@ -120,8 +120,8 @@ impl PathSoFar<'_> {
     }
 }
 
-/// Adds the paths of `tokens`, each as its names from the root of the crate; `place`: the module that has them. What is not found from
-/// the root is taken as a path in that module.
+/// Adds the paths of `tokens`, each as its names from the root of the crate; `place`: the module that has them. What is
+/// not found from the root is taken as a path in that module.
 fn paths(tokens: TokenStream, place: &[String], found: &mut Vec<Vec<String>>) {
     let tokens: Vec<TokenTree> = without_tests(tokens);
     let mut rest = &tokens[..];

@@ -84,8 +84,8 @@ fn posted_in<M: Machine>(mode: &str, control: &str, keys: &str, operation: &str)
     Ok(text)
 }
 
-/// Frames in which a Heidenhain program goes down: `P` plane, `T` tip control. A plane in which X and Y come over the approach
-/// point of tip control is not one of them.
+/// Frames in which a Heidenhain program goes down: `P` plane, `T` tip control. A plane in which X and Y come over the
+/// approach point of tip control is not one of them.
 fn frames(program: &str) -> String {
     let (mut frames, mut tilted) = (String::new(), false);
     for line in program.lines() {
@@ -231,8 +231,8 @@ fn a_length_is_guarded_in_a_head_without_tip_control_only() {
     assert!(guarded("heidenhain", "length_guard = true"));
 }
 
-/// A machine with a C table is at C0 in vertical operations, so that X and Y are read as on the drawing. An operation that
-/// begins vertically and tilts at feed begins with the angle to which it tilts.
+/// A machine with a C table is at C0 in vertical operations, so that X and Y are read as on the drawing. An operation
+/// that begins vertically and tilts at feed begins with the angle to which it tilts.
 #[test]
 fn vertical_operations_are_at_zero() {
     // Tilted about X: C is at -90 or 90 degrees there.

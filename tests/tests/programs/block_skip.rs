@@ -1,6 +1,6 @@
-//! OPSKIP: blocks that the operator may have skipped. The program is right for the CL data with them where they are executed,
-//! and for the CL data without them where they are skipped; the check insists on each mark. Single cases are in
-//! `tests/scenarios/block_skip.md`.
+//! OPSKIP: blocks that the operator may have skipped. The program is right for the CL data with them where they are
+//! executed, and for the CL data without them where they are skipped; the check insists on each mark. Single cases are
+//! in `tests/scenarios/block_skip.md`.
 
 use machines::SpinnerU5620;
 use pp_runtime::config::{Config, starting_point};
@@ -161,7 +161,8 @@ fn a_mark_that_is_lost_or_at_another_block_is_found() {
             edits += 1;
         }
         assert!(edits > 30);
-        // The tool in the spindle depends on the switch, so it is called again, although the last record calls T1 as before.
+        // The tool in the spindle depends on the switch, so it is called again, although the last record calls T1 as
+        // before.
         let call = |line: &&str| line.contains("T1") || line.contains("T=1") || line.contains("TOOL CALL 1");
         assert!(lines[last..].iter().any(call), "{program}");
     }

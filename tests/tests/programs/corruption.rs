@@ -260,7 +260,8 @@ fn pose_difference<M: Machine>(
     let all = (1_u16 << M::AXES.len()) - 1;
     let unit = 1e-3 * config.output_units.map_or(1.0, |units| if units.in_mm() > 1.0 { 2.54 } else { 1.0 });
     if was.action == Action::Machine || was.known != all || is.known != all {
-        // Rotary axes may have any position that gives the same tool axis where tool vectors are programmed, or tip control follows.
+        // Rotary axes may have any position that gives the same tool axis where tool vectors are programmed, or tip
+        // control follows.
         let tcp = config.motion.tip.tcp_words == TcpWords::Vectors || config.motion.mode == Mode::Tcp;
         let free = tcp && (pose::<M>(config, was).1 - pose::<M>(config, is).1).norm() < 1e-5;
         let counts = |index: &usize| !free || M::AXES.get(*index).is_none_or(|axis| axis.kind == AxisKind::Linear);
@@ -292,7 +293,8 @@ fn pose_difference<M: Machine>(
     }
     let length = near[0].map_or(0.0, |before| (before - tip).norm());
     let slack = 0.01_f64.max(8.0 * unit / length.max(1e-9));
-    // Where a rotary axis moves, the time of a block may be that of a bound of the axis speeds within it, 1.5 % above the speeds.
+    // Where a rotary axis moves, the time of a block may be that of a bound of the axis speeds within it, 1.5 % above
+    // the speeds.
     let bound = if was.state.feed_mode == Some(FeedMode::InverseTime) { 0.015 } else { 0.0 };
     match (was.action, was.state.feed, is.state.feed) {
         (Action::Feed, Some(was), Some(is)) if is > was * (1.0 + slack) || is < was * (1.0 - slack.max(bound)) => {

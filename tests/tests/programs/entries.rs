@@ -1,9 +1,9 @@
-//! Between the machine retract and the approach point the retract axis moves alone, and last: in every golden program, for
-//! every control in every mode.
+//! Between the machine retract and the approach point the retract axis moves alone, and last: in every golden program,
+//! for every control in every mode.
 //!
-//! A rapid need not be straight, and its axes arrive in any order. Where the others have arrived before the retract axis
-//! leaves its retract position, no order takes the tool below the approach point. The programs are executed by the foreign
-//! interpreter, and their words converted to axis values by the oracle.
+//! A rapid need not be straight, and its axes arrive in any order. Where the others have arrived before the retract
+//! axis leaves its retract position, no order takes the tool below the approach point. The programs are executed by the
+//! foreign interpreter, and their words converted to axis values by the oracle.
 
 use std::f64::consts::PI;
 use std::fs;

@@ -1,8 +1,8 @@
-//! Random CL data of two or three faces of a part, in the form of each CAM system, with its points in the frame of each face, in the
-//! first frame, or some in the one and some in the other; with tool axes and without.
+//! Random CL data of two or three faces of a part, in the form of each CAM system, with its points in the frame of each
+//! face, in the first frame, or some in the one and some in the other; with tool axes and without.
 //!
-//! Whatever is read has the poses that were meant, by matrices of this file; what nothing states is refused. `PP_FACES` sets how
-//! many files there are.
+//! Whatever is read has the poses that were meant, by matrices of this file; what nothing states is refused. `PP_FACES`
+//! sets how many files there are.
 
 use nalgebra::{Isometry3, Point3, Rotation3, Translation3, UnitQuaternion, Vector3};
 use pp_runtime::cl::{ClReader, Frames, ReadingOptions};

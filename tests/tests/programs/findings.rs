@@ -1,5 +1,5 @@
-//! The farthest points of paths that the check reports, against points computed here. Other texts and lines of findings are in
-//! `tests/scenarios/findings.md`.
+//! The farthest points of paths that the check reports, against points computed here. Other texts and lines of findings
+//! are in `tests/scenarios/findings.md`.
 
 use std::f64::consts::PI;
 use std::io::Cursor;

@@ -1,10 +1,11 @@
-//! What keeps the house small: fields of a struct, lines of a function, circles between the modules of a folder. What is larger is
-//! listed, with its size: the lists only shrink.
+//! What keeps the house small: fields of a struct, lines of a function, circles between the modules of a folder. What
+//! is larger is listed, with its size: the lists only shrink. No line of a comment is longer than one of the code.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use proc_macro2::{TokenStream, TokenTree};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 use tests::binaries::workspace;
@@ -24,6 +25,20 @@ const SOURCES: &[&str] = &[
 
 const MOST_FIELDS: usize = 20;
 const MOST_LINES: usize = 80;
+
+/// Folders with comments that are judged, in Rust and in TypeScript.
+const COMMENTED: &[(&str, &str)] = &[
+    ("examples", "rs"),
+    ("machines", "rs"),
+    ("pp-macros", "rs"),
+    ("pp-runtime/conformance", "rs"),
+    ("pp-runtime/src", "rs"),
+    ("pp-runtime/template", "rs"),
+    ("pp-runtime/page/src", "ts"),
+    ("tests", "rs"),
+];
+
+const MOST_COLUMNS: usize = 120;
 
 /// Structs with more fields.
 const LARGE_STRUCTS: &[(&str, usize)] = &[
@@ -224,4 +239,77 @@ fn no_modules_of_a_folder_use_each_other_in_a_circle() {
         assert!(found.remove(&circle).is_some(), "no circle any more, take it off the list: {circle:?}");
     }
     assert!(found.is_empty(), "{found:#?}");
+}
+
+/// Files of a folder and of those in it that have an extension.
+fn files(folder: &Path, extension: &str, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() && !path.ends_with("target") {
+            files(&path, extension, found);
+        } else if path.extension().is_some_and(|known| known == extension) {
+            found.push(path);
+        }
+    }
+}
+
+/// Lines that begin inside a literal, from 1: what looks like a comment there is text.
+fn lines_in_literals(tokens: TokenStream, lines: &mut BTreeSet<usize>) {
+    for token in tokens {
+        match token {
+            TokenTree::Group(group) => lines_in_literals(group.stream(), lines),
+            TokenTree::Literal(literal) => {
+                let span = literal.span();
+                lines.extend(span.start().line + 1..=span.end().line);
+            }
+            TokenTree::Ident(_) | TokenTree::Punct(_) => {}
+        }
+    }
+}
+
+/// Numbers of the comment lines with too many columns. Tables and code in fences keep their lines.
+fn long_comments(text: &str, literals: &BTreeSet<usize>) -> Vec<usize> {
+    let mut found = Vec::new();
+    let mut fenced = false;
+    for (line, number) in text.lines().zip(1..) {
+        let comment = ["///", "//!", "//", "/*", "* "].iter().find_map(|mark| line.trim_start().strip_prefix(mark));
+        let Some(comment) = comment.map(str::trim_start).filter(|_| !literals.contains(&number)) else {
+            fenced = false;
+            continue;
+        };
+        let is_fence = comment.starts_with("```");
+        fenced ^= is_fence;
+        let is_kept = fenced || is_fence || comment.starts_with('|');
+        if !is_kept && line.chars().count() > MOST_COLUMNS {
+            found.push(number);
+        }
+    }
+    found
+}
+
+#[test]
+fn comments_have_at_most_120_columns() {
+    let mut faults = Vec::new();
+    for (folder, extension) in COMMENTED {
+        let mut paths = Vec::new();
+        files(&workspace().join(folder), extension, &mut paths);
+        assert!(!paths.is_empty(), "{folder} has no file .{extension}");
+        for path in paths {
+            let text = fs::read_to_string(&path).expect("it can be read");
+            let mut literals = BTreeSet::new();
+            if *extension == "rs" {
+                lines_in_literals(text.parse().expect("Rust"), &mut literals);
+            }
+            faults.extend(long_comments(&text, &literals).iter().map(|line| format!("{}:{line}", shown(&path))));
+        }
+    }
+    faults.sort();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn long_lines_are_found_outside_tables_fences_and_literals() {
+    let long = "x".repeat(MOST_COLUMNS);
+    let text = format!("// {long}\n/// | {long} |\n//! ```\n//! {long}\n//! ```\n//! {long}\n// short\n// {long}\n");
+    assert_eq!(long_comments(&text, &BTreeSet::from([8])), [1, 6]);
 }

@@ -1,5 +1,6 @@
-//! Inch programs on every control. The pitch that the control makes of the words of a thread, by a computation of this test, is
-//! that of the CL data, or the thread is refused with settings that work; messages are in inches; arcs with coarse words pass.
+//! Inch programs on every control. The pitch that the control makes of the words of a thread, by a computation of this
+//! test, is that of the CL data, or the thread is refused with settings that work; messages are in inches; arcs with
+//! coarse words pass.
 
 use machines::SpinnerU5620;
 use pp_runtime::config::{Config, starting_point};
@@ -310,7 +311,8 @@ fn findings_about_an_inch_program_are_in_inches_without_noise() {
     assert!(texts > 500, "{texts}");
 }
 
-/// Arcs with coarse words, of a circle on the grid and of one off it, flat and as helices: written so that the check accepts them.
+/// Arcs with coarse words, of a circle on the grid and of one off it, flat and as helices: written so that the check
+/// accepts them.
 #[test]
 fn arcs_with_two_decimals_of_an_inch_pass_their_check() {
     let mut arcs = 0;

@@ -53,8 +53,8 @@ fn past(offset_rad: f64) -> Vec<Pose> {
     vec![pose(-0.1), pose(0.6)]
 }
 
-/// Around a steep wall in steps of 8 degrees, the tilt of the tool growing evenly: between two points the great circle is
-/// less tilted than both.
+/// Around a steep wall in steps of 8 degrees, the tilt of the tool growing evenly: between two points the great circle
+/// is less tilted than both.
 fn wall() -> Vec<Pose> {
     let pose = |step: u32| {
         let ((sine, cosine), (up, across)) =
@@ -79,9 +79,10 @@ fn swirl() -> Vec<Pose> {
     (0..=24).map(pose).collect()
 }
 
-/// Away from the centre line of B of the Spinner, while the tool rotates about B. In a block the tip has the second derivative
-/// `w w r + 2 w x v` (r from the centre line, v along the path, w of the tool). It is along v where the slope of the path is
-/// `-2 v / (w r)`: there the tip speeds up and slows down on its line, and nothing but the lag of the tool axis shows it.
+/// Away from the centre line of B of the Spinner, while the tool rotates about B. In a block the tip has the second
+/// derivative `w w r + 2 w x v` (r from the centre line, v along the path, w of the tool). It is along v where the
+/// slope of the path is `-2 v / (w r)`: there the tip speeds up and slows down on its line, and nothing but the lag of
+/// the tool axis shows it.
 fn outward() -> Vec<Pose> {
     let (radius_mm, step_mm, step_rad) = (300.0, 2.0, 4_f64.to_radians());
     let down: f64 = 2.0 * step_mm / (step_rad * radius_mm);
@@ -247,8 +248,8 @@ impl<M: Machine> Checker<M> {
         Some(points)
     }
 
-    /// Whether the pieces of a motion are equal but for the rounding of their ends. If not, each is at most twice as long as
-    /// its neighbours.
+    /// Whether the pieces of a motion are equal but for the rounding of their ends. If not, each is at most twice as
+    /// long as its neighbours.
     fn are_equal(&self, ends: (&Pose, &Pose), printed: &[Vec<f64>]) -> bool {
         let Some(shares) = self.shares(ends, printed) else { return true };
         let rounding = 4e-3 / (ends.1.tip - ends.0.tip).norm();
@@ -465,8 +466,8 @@ fn timed<M: Machine>(text: &str) -> Vec<(Vec<f64>, Vec<f64>, f64)> {
     blocks
 }
 
-/// Expected time of the feed blocks of a program, min: each takes the length of its tip path at 900 mm/min, and so long that
-/// the tip is nowhere faster by more than a hundredth.
+/// Expected time of the feed blocks of a program, min: each takes the length of its tip path at 900 mm/min, and so long
+/// that the tip is nowhere faster by more than a hundredth.
 fn expected_minutes<M: Machine>(config: &Config, blocks: &[(Vec<f64>, Vec<f64>, f64)]) -> f64 {
     let mut machine = M::default();
     machine.set_up(Vector3::from(PART), LENGTH);
@@ -483,7 +484,8 @@ fn expected_minutes<M: Machine>(config: &Config, blocks: &[(Vec<f64>, Vec<f64>, 
     blocks.iter().map(|(from, to, _)| counted_mm(from, to) / 900.0).sum()
 }
 
-/// Share by which a bound of the speed of the tip may be above its largest speed, and five decimals of the linear words.
+/// Share by which a bound of the speed of the tip may be above its largest speed, and five decimals of the linear
+/// words.
 const TIMED: f64 = 1e-4;
 
 fn assert_times_add_up<M: Machine>(poses: &[Pose]) {
@@ -550,8 +552,8 @@ fn no_axis_is_faster_than_its_speed_and_the_excess_is_reported() {
     assert_no_axis_is_too_fast::<NutatingHead>(&swirl());
 }
 
-/// Largest angle, rad, of a tool axis of a program from the programmed one: that of the even rotation where the tip is, or
-/// within `tip_mm` of there along its line. Of several motions near the tip the most favourable counts.
+/// Largest angle, rad, of a tool axis of a program from the programmed one: that of the even rotation where the tip is,
+/// or within `tip_mm` of there along its line. Of several motions near the tip the most favourable counts.
 fn largest_lag<M: Machine>(config: &Config, poses: &[Pose], text: &str, tip_mm: f64) -> f64 {
     let oracle = Oracle::of(
         &config
@@ -588,7 +590,8 @@ fn largest_lag<M: Machine>(config: &Config, poses: &[Pose], text: &str, tip_mm: 
     largest
 }
 
-/// Lag of a path on a machine with even rotary axes, and in step with the tip, degrees: measured, and stated by the summary.
+/// Lag of a path on a machine with even rotary axes, and in step with the tip, degrees: measured, and stated by the
+/// summary.
 fn lags<M: Machine>(poses: &[Pose]) -> [[f64; 2]; 2] {
     let poses = as_written(poses);
     [ToolPosture::Axes, ToolPosture::Plane].map(|posture| {

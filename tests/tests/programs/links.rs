@@ -1,8 +1,8 @@
-//! Links, the rapids that rotate the tool between cuts that rotate it as well: on the path of the CL data where every block
-//! keeps to it, else by the safe sequence.
+//! Links, the rapids that rotate the tool between cuts that rotate it as well: on the path of the CL data where every
+//! block keeps to it, else by the safe sequence.
 //!
-//! The blocks of a link are executed by the foreign interpreter, their axes moved evenly, and tip and tool axis computed by
-//! the oracle.
+//! The blocks of a link are executed by the foreign interpreter, their axes moved evenly, and tip and tool axis
+//! computed by the oracle.
 
 use std::fmt::Write;
 use std::io::Cursor;
@@ -267,8 +267,8 @@ fn without_an_index_angle_every_rapid_at_feed_keeps_to_its_path() {
     }
 }
 
-/// Around a post and back to its start: the table goes on, or where its limit is in between, rotates back at the retract
-/// position.
+/// Around a post and back to its start: the table goes on, or where its limit is in between, rotates back at the
+/// retract position.
 #[test]
 fn a_link_that_leads_over_a_limit_is_a_safe_sequence() {
     let mut cl = format!("UNITS/MM\nTOOL PATH/ROUND\nLOADTL/1,LENGTH,{LENGTH}\nSPINDL/RPM,5000,CLW\n");

@@ -1,7 +1,7 @@
 //! Programs in memory: posted, read back, damaged and checked on all machines, controls and modes.
 //!
-//! A suite is a module: `cargo test --workspace --test programs edits::` runs one. Nothing here runs another program, except the
-//! LinuxCNC interpreter in `edits` and `contours`.
+//! A suite is a module: `cargo test --workspace --test programs edits::` runs one. Nothing here runs another program,
+//! except the LinuxCNC interpreter in `edits` and `contours`.
 
 mod architecture;
 mod attacks;

@@ -1,7 +1,7 @@
 //! Programs in which the choice of the control, or the rounding of words, decides: each is posted and passes its check.
 //!
-//! Tool vectors near a pole, where the control finds the rotary angles; helices by angle; points closer together than the
-//! words; blocks of nothing but rounding, and their F; the sense in which a table rotates to an operation.
+//! Tool vectors near a pole, where the control finds the rotary angles; helices by angle; points closer together than
+//! the words; blocks of nothing but rounding, and their F; the sense in which a table rotates to an operation.
 
 use std::io::Cursor;
 
@@ -128,8 +128,8 @@ fn a_wrong_f_of_a_lift_between_two_holes_is_found() {
     assert!(program.contains("F9000") && findings.iter().any(|text| text.starts_with("F is 9000")), "{findings:?}");
 }
 
-/// A motion to 0.0001 degrees from the pole: at the pole C rotates, and B follows in a block in which no coordinate of the
-/// tip changes.
+/// A motion to 0.0001 degrees from the pole: at the pole C rotates, and B follows in a block in which no coordinate of
+/// the tip changes.
 const NEAR_THE_POLE: &str = "UNITS/INCHES\nLOADTL/3\nFEDRAT/IPM,67.0930\n\
     GOTO/-0.6327,-0.8250,-0.6136,-0.008481,0.002044,0.999962\n\
     GOTO/-0.8493,-1.0150,-0.6803,0.000002,-0.000000,1.000000\nGOTO/-0.8493,-1.0150,1.3957,0.000002,-0.000000,1.000000\n";
@@ -229,7 +229,8 @@ fn a_block_under_tip_control_takes_as_long_as_an_axis_needs_at_its_fastest() {
     }
 }
 
-/// Two cuts past the pole of a table at 0.032°, to the other side and back: C rotates by 178.7° in each, in the same sense.
+/// Two cuts past the pole of a table at 0.032°, to the other side and back: C rotates by 178.7° in each, in the same
+/// sense.
 const ROUND_THE_POLE: &str = "UNITS/MM\nLOADTL/4\nFEDRAT/MMPM,1200\n\
     GOTO/-11.728,28.571,13.346,0.1559210,0.1980625,0.9677086\n\
     GOTO/-13.984,26.961,12.730,-0.0157005,-0.0209458,0.9996573\n\

@@ -1,6 +1,6 @@
-//! Random programs near the pole of a table or a head whose first rotary axis has narrow limits: each is posted or refused with
-//! a reason, passes its own check, keeps to its path and to its feed. With tool vectors the control finds the rotary angles: there
-//! the check follows it.
+//! Random programs near the pole of a table or a head whose first rotary axis has narrow limits: each is posted or
+//! refused with a reason, passes its own check, keeps to its path and to its feed. With tool vectors the control finds
+//! the rotary angles: there the check follows it.
 //!
 //! Path and feed are those of the written words, by the matrices of [`tests::oracle`] and their derivatives.
 //! `PP_RANDOM_PROGRAMS=N` sets the number of programs, `PP_RANDOM_SEED=S` the first seed.
@@ -28,19 +28,21 @@ use tests::random::Random;
 /// Number of programs in a test run.
 const PROGRAMS: u64 = 150;
 
-/// Number of programs with tool vectors in a test run. Of those after them one in a thousand is rejected by their own check.
+/// Number of programs with tool vectors in a test run. Of those after them one in a thousand is rejected by their own
+/// check.
 const VECTOR_PROGRAMS: u64 = 90;
 
-/// Seeds of programs with tool vectors that their own check has rejected: rewinds at a point whose rotary words are near those of
-/// the pole (95, 310), or that is known to its own rounding only (196, 1037, 1057, 1105, 1193), or away from the words with which
-/// the tool comes back (1429, 3325, 3434), or whose place on its motion only the tip shows (74480); near the pole an axis that the
-/// check found beyond its limit (1406, 61137, 78461), a motion that was divided just beyond a limit (2446), and one that was not led
-/// through the pole, whose words it had (62677).
+/// Seeds of programs with tool vectors that their own check has rejected: rewinds at a point whose rotary words are
+/// near those of the pole (95, 310), or that is known to its own rounding only (196, 1037, 1057, 1105, 1193), or away
+/// from the words with which the tool comes back (1429, 3325, 3434), or whose place on its motion only the tip shows
+/// (74480); near the pole an axis that the check found beyond its limit (1406, 61137, 78461), a motion that was divided
+/// just beyond a limit (2446), and one that was not led through the pole, whose words it had (62677).
 const VECTORS_ONCE_REJECTED: [u64; 16] =
     [95, 196, 310, 1037, 1057, 1105, 1193, 1406, 1429, 2446, 3325, 3434, 61137, 62677, 74480, 78461];
 
-/// Seeds of programs that their own check has rejected: rotations past the pole whose tool axis gets ahead of the tip, one
-/// (41451) that goes on after a rewind at the end of the program, and last pieces of a motion that rounding shows as none.
+/// Seeds of programs that their own check has rejected: rotations past the pole whose tool axis gets ahead of the tip,
+/// one (41451) that goes on after a rewind at the end of the program, and last pieces of a motion that rounding shows
+/// as none.
 const ONCE_REJECTED: [u64; 7] = [5551, 41451, 200018, 202136, 1_002_731, 1_005_765, 1_009_510];
 
 /// Largest share of refused programs: an axis within ±90 degrees and a tilt to one side reach half of all tool axes.

@@ -1,4 +1,5 @@
-//! The command `new`: what it writes and refuses. `.ci/packages` builds, tests and runs what it writes, from the packages alone.
+//! The command `new`: what it writes and refuses. `.ci/packages` builds, tests and runs what it writes, from the
+//! packages alone.
 
 use std::fs;
 use std::path::Path;

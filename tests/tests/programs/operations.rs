@@ -1,5 +1,5 @@
-//! Settings of single operations (`[operations]`): each changes the blocks of its operations alone, the check accepts the
-//! program, and refuses one that was posted with other settings. Refusals, remarks and summaries are in
+//! Settings of single operations (`[operations]`): each changes the blocks of its operations alone, the check accepts
+//! the program, and refuses one that was posted with other settings. Refusals, remarks and summaries are in
 //! `tests/scenarios/operations.md`.
 
 use machines::SpinnerU5620;
@@ -7,7 +7,8 @@ use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
 use tests::posting::{findings, posted};
 
-/// A tilted face, a blade with a curve, and holes with a thread: three operations with names, the second with a stop in it.
+/// A tilted face, a blade with a curve, and holes with a thread: three operations with names, the second with a stop in
+/// it.
 const CL: &str = "UNITS/MM
 TOOL PATH/ROUGH FACE,TOOL,D10
 LOADTL/1,LENGTH,100

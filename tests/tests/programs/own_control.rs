@@ -1,5 +1,5 @@
-//! A control outside the crate and blocks of the shop, through the command line: posted, checked, explained, and refused
-//! where they are not declared.
+//! A control outside the crate and blocks of the shop, through the command line: posted, checked, explained, and
+//! refused where they are not declared.
 
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
@@ -106,8 +106,8 @@ fn a_block_of_the_shop_is_at_its_place_on_every_control_and_the_check_insists_on
     let app = App::new();
     for control in CONTROLS {
         let codes = control.spellings();
-        // As the control has them, with one block more. A line of the configuration is one line, and the safety blocks of
-        // Heidenhain need two for the datum.
+        // As the control has them, with one block more. A line of the configuration is one line, and the safety blocks
+        // of Heidenhain need two for the datum.
         let places = || PLACES.into_iter().filter(|(key, _)| codes.name != "heidenhain" || *key != "control.safety");
         let with = |of_control: &[&'static str], code: &'static str| [of_control, &[code]].concat();
         let keys: String = places()

@@ -1,5 +1,5 @@
-//! After a plane call a program stops where the control has chosen other rotary positions: with few decimals, indexed axes
-//! and renamed axes as well, no right program stops or is rejected.
+//! After a plane call a program stops where the control has chosen other rotary positions: with few decimals, indexed
+//! axes and renamed axes as well, no right program stops or is rejected.
 
 use std::f64::consts::TAU;
 use std::io::Cursor;

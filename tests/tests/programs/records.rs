@@ -1,7 +1,8 @@
-//! Records act in the order of the CL data: random jobs with records at every place, posted, checked, and read again by a reader that
-//! knows nothing but words and their order.
+//! Records act in the order of the CL data: random jobs with records at every place, posted, checked, and read again by
+//! a reader that knows nothing but words and their order.
 //!
-//! What the order must be is written here once more, from the rules of the book. `PP_RECORDS=N` sets the number of jobs.
+//! What the order must be is written here once more, from the rules of the book. `PP_RECORDS=N` sets the number of
+//! jobs.
 
 use std::io::Cursor;
 

@@ -1,5 +1,5 @@
-//! Several set-ups in one program: each is posted as it would be alone, with its own part origin, rotation and work offset,
-//! and between two of them the axes are parked and the program stops.
+//! Several set-ups in one program: each is posted as it would be alone, with its own part origin, rotation and work
+//! offset, and between two of them the axes are parked and the program stops.
 
 use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
 use pp_runtime::config::{Config, starting_point};
@@ -70,8 +70,8 @@ fn posted<M: Machine>(config: &Config, control: &'static dyn Control, cl: &str) 
     Ok(text)
 }
 
-/// Blocks with axis words, from the block on that holds the first tool call in the operation of this name. Numbers at the
-/// begin of a block are left out.
+/// Blocks with axis words, from the block on that holds the first tool call in the operation of this name. Numbers at
+/// the begin of a block are left out.
 fn motions(program: &str, operation: &str) -> Vec<String> {
     let unnumbered = |line: &str| line.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start().to_owned();
     let after = program.lines().skip_while(|line| !line.contains(operation) || line.contains("LINE"));

@@ -1,4 +1,5 @@
-//! A setting fills what the CL data leaves out, and never replaces what it states: every key of the configuration is in a list here.
+//! A setting fills what the CL data leaves out, and never replaces what it states: every key of the configuration is in
+//! a list here.
 
 use machines::SpinnerU5620;
 use pp_runtime::cli::{self, Status, Streams};
@@ -9,8 +10,8 @@ use serde_json::Value;
 use tests::by_name;
 use tests::posting::written;
 
-/// Keys about which CL data states nothing: machine, control, shop, format of the program, or how it is planned. `group.` is all
-/// keys of a table.
+/// Keys about which CL data states nothing: machine, control, shop, format of the program, or how it is planned.
+/// `group.` is all keys of a table.
 const NOT_STATED: &[&str] = &[
     // Machine, clamping and shop.
     "clamp.",
@@ -103,7 +104,8 @@ const NOT_STATED: &[&str] = &[
 struct Case {
     key: &'static str,
     config: &'static str,
-    /// Records of the CL data, for which the setting is refused with this text, or which hold: their words are in the program.
+    /// Records of the CL data, for which the setting is refused with this text, or which hold: their words are in the
+    /// program.
     states: &'static str,
     then: Then,
 }

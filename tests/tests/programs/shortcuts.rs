@@ -1,7 +1,8 @@
 //! Shortcuts off and on: program, summary and findings are the same, whichever of them are taken.
 //!
-//! Every golden program and random jobs are posted and checked with all shortcuts, with each one off, with all off, and with each
-//! one alone. So are damaged copies of each program, which have findings. `PP_SHORTCUTS=N` sets the number of random jobs.
+//! Every golden program and random jobs are posted and checked with all shortcuts, with each one off, with all off, and
+//! with each one alone. So are damaged copies of each program, which have findings. `PP_SHORTCUTS=N` sets the number of
+//! random jobs.
 
 use std::collections::BTreeMap;
 use std::io::Cursor;
@@ -60,7 +61,8 @@ fn seen<M: Machine>(config: &Config, control: &'static dyn Control, cl: &str, se
     }
 }
 
-/// The program with a random fault, with a digit more in one of its F words, and with the spindle off at a place in its middle.
+/// The program with a random fault, with a digit more in one of its F words, and with the spindle off at a place in its
+/// middle.
 fn damaged(program: &[u8], seed: u64) -> [Vec<u8>; 3] {
     let random = &mut Random::new(seed);
     let (faulty, _) = damage(program, random);
@@ -140,7 +142,8 @@ fn the_other_golden_programs_are_the_same_with_and_without_shortcuts() {
     golden_half(1);
 }
 
-/// Motions whose tip would leave its line in one block, arcs within the travel of X, and an arc that leaves it between its ends.
+/// Motions whose tip would leave its line in one block, arcs within the travel of X, and an arc that leaves it between
+/// its ends.
 #[test]
 fn motions_that_bounds_decide_are_the_same_with_and_without_shortcuts() {
     let curved = "GOTO/20,0,0,0,0,1\nGOTO/60,30,10,0.5,0,0.8660254\nGOTO/10,40,10,0,0.7071068,0.7071068\n";

@@ -1,5 +1,6 @@
-//! States that a program before may have left: planted before a program they change nothing of what it does, or its guard stops it; and
-//! the check finds a program in which the code, the word or the guard is missing that deals with one.
+//! States that a program before may have left: planted before a program they change nothing of what it does, or its
+//! guard stops it; and the check finds a program in which the code, the word or the guard is missing that deals with
+//! one.
 //!
 //! LinuxCNC's states are planted in its own interpreter, those of the other controls in the foreign one.
 

@@ -1,7 +1,7 @@
 //! The stream of executed blocks: every golden program, of all controls in all modes, is observed while it is checked.
 //!
-//! Axis values of a leg give its pose, by the oracle; a leg begins where the one before it has ended; each block that moves
-//! is executed once; and a finding is about the block that causes it.
+//! Axis values of a leg give its pose, by the oracle; a leg begins where the one before it has ended; each block that
+//! moves is executed once; and a finding is about the block that causes it.
 
 use std::io::Cursor;
 

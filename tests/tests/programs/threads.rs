@@ -1,4 +1,5 @@
-//! Threads with F per revolution: their blocks on the controls whose cycle takes an F, and a check that finds another feed mode.
+//! Threads with F per revolution: their blocks on the controls whose cycle takes an F, and a check that finds another
+//! feed mode.
 
 use machines::SpinnerU5620;
 use pp_runtime::config::{Config, starting_point};

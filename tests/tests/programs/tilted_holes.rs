@@ -1,6 +1,6 @@
-//! Holes along tilted tool axes, with points of four decimals as CAM systems write them, on a grid of tilts: the post and the
-//! check agree where the point before a cycle lies over its first hole, a cycle is used wherever its line stays within the
-//! tolerance, and the return of a cycle is a retract.
+//! Holes along tilted tool axes, with points of four decimals as CAM systems write them, on a grid of tilts: the post
+//! and the check agree where the point before a cycle lies over its first hole, a cycle is used wherever its line stays
+//! within the tolerance, and the return of a cycle is a retract.
 
 use std::f64::consts::TAU;
 
@@ -34,8 +34,8 @@ fn point(at: Vector3<f64>) -> String {
     format!("{:.4},{:.4},{:.4}", at.x, at.y, at.z)
 }
 
-/// One operation with three holes along an axis. The point before the cycle is `height` above the first of them, and `beside`
-/// mm off its axis; `cycle`: its record; `leaves`: the tool goes back there after the cycle.
+/// One operation with three holes along an axis. The point before the cycle is `height` above the first of them, and
+/// `beside` mm off its axis; `cycle`: its record; `leaves`: the tool goes back there after the cycle.
 fn holes(axis: Vector3<f64>, [height, beside]: [f64; 2], cycle: &str, leaves: bool) -> String {
     let across = Vector3::new(-axis.y, axis.x, 0.0).normalize();
     let along = axis.cross(&across);
@@ -112,7 +112,8 @@ fn on_other_kinematics_it_passes_as_well() {
     drills::<LolaXoyzba>(&axes);
 }
 
-/// Tilts at which the planes of the default digits make rounded X and Y differ between the top and the bottom of a hole.
+/// Tilts at which the planes of the default digits make rounded X and Y differ between the top and the bottom of a
+/// hole.
 #[test]
 fn every_hole_of_a_tilted_plane_is_a_cycle_of_the_control() {
     let axes: Vec<_> = tilts(12, 12).collect();

@@ -1,5 +1,5 @@
-//! Generated kinematics modules by themselves: they agree with LinuxCNC's own modules for the same machines, answer every
-//! question with a defined value, and read their pins only while they are switched.
+//! Generated kinematics modules by themselves: they agree with LinuxCNC's own modules for the same machines, answer
+//! every question with a defined value, and read their pins only while they are switched.
 
 use std::path::Path;
 

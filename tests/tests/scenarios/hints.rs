@@ -1,8 +1,8 @@
 //! The hints of messages, as the sources have them: literal texts, and templates of `format!`.
 //!
-//! A hint is what is given as remedy: the last argument of `ClFault::new`, the argument of `.help(..)`, a field or a variable
-//! `help`, and any argument that a function takes to such a place. Names in it are followed to their constants, variables and
-//! functions.
+//! A hint is what is given as remedy: the last argument of `ClFault::new`, the argument of `.help(..)`, a field or a
+//! variable `help`, and any argument that a function takes to such a place. Names in it are followed to their
+//! constants, variables and functions.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -222,7 +222,8 @@ fn parts(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
     parts
 }
 
-/// Names of parameters: the word before the colon of each, or the word alone; none if its type is no text. `self` is left out.
+/// Names of parameters: the word before the colon of each, or the word alone; none if its type is no text. `self` is
+/// left out.
 fn params(tokens: &[TokenTree]) -> Vec<String> {
     let name = |part: &&[TokenTree]| {
         let colon = part.iter().position(|tree| is_mark(Some(tree), ':')).unwrap_or(part.len());

@@ -1,7 +1,7 @@
 //! Scenarios: the files of `tests/scenarios`, whose README has their format.
 //!
-//! `PP_SCENARIO='words of a heading'` runs the cases whose file and heading have all these words, and prints their programs;
-//! `PP_BLESS=1` rewrites expected blocks and findings: read every changed line before it is committed.
+//! `PP_SCENARIO='words of a heading'` runs the cases whose file and heading have all these words, and prints their
+//! programs; `PP_BLESS=1` rewrites expected blocks and findings: read every changed line before it is committed.
 
 mod format;
 mod hints;

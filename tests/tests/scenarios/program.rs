@@ -70,8 +70,8 @@ fn place(lines: &[String], wanted: &[String], from: usize) -> Option<usize> {
     (from..(lines.len() + 1).saturating_sub(wanted.len())).find(fits)
 }
 
-/// `None` if the expected lines are in the program; the difference where they are not, and the expected lines with those of
-/// the program in their place if any of them is there.
+/// `None` if the expected lines are in the program; the difference where they are not, and the expected lines with
+/// those of the program in their place if any of them is there.
 pub(crate) fn excerpt(lines: &[String], expected: &[String]) -> Option<(String, Option<Vec<String>>)> {
     let mut from = 0;
     let parts: Vec<&[String]> = expected.split(|line| line.trim() == GAP).collect();
@@ -173,7 +173,8 @@ fn replaced(lines: &[String], was: &str, is: &str) -> Vec<Vec<String>> {
     programs
 }
 
-/// Whether a text in a line ends and begins where words and numbers do: `X-40` is not in `X-400`, and `T1` not in `GT1`.
+/// Whether a text in a line ends and begins where words and numbers do: `X-40` is not in `X-400`, and `T1` not in
+/// `GT1`.
 fn is_word(line: &str, at: usize, text: &str) -> bool {
     let (before, after) = (&line[..at], &line[at + text.len()..]);
     let joins = |one: Option<char>, other: Option<char>| {

@@ -1,7 +1,7 @@
 //! Hints that are followed to the letter, as a user does on the command line, and the list of those in the sources.
 //!
-//! A case with a block `help` gives a message with this hint. Each `follow` block after it is a way to follow it, and the program
-//! is then that of the block `means cl`: the CL data that the author meant, in plain words.
+//! A case with a block `help` gives a message with this hint. Each `follow` block after it is a way to follow it, and
+//! the program is then that of the block `means cl`: the CL data that the author meant, in plain words.
 
 use std::collections::BTreeSet;
 use std::ffi::OsString;

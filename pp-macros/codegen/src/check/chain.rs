@@ -1,5 +1,5 @@
-//! Rules of the kinematic chain: one machine frame (`|`), letters of axes, three linear and at most two rotary axes that are
-//! solved for; further axes are in `hold`.
+//! Rules of the kinematic chain: one machine frame (`|`), letters of axes, three linear and at most two rotary axes
+//! that are solved for; further axes are in `hold`.
 
 use crate::model::{AxisKind, kind_of};
 use crate::report::Errors;

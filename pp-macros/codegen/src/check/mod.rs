@@ -1,7 +1,9 @@
-//! Rules of the language: [`Declaration`] to [`Model`]. All mistakes are collected before compilation stops.
+//! Rules of the language: [`Declaration`] to [`Checked`]. All mistakes are collected before compilation stops.
 
 mod axis;
 mod chain;
+mod defaults;
+mod item;
 mod names;
 mod order;
 mod quantity;
@@ -16,6 +18,8 @@ use crate::symbolic::Ring;
 use crate::syntax::{Assign, Declaration, DimensionValue, Offsets, SpannedName, Unit, Unreadable};
 use axis::{axis, coordinate, unit_direction};
 use chain::check_chain;
+use defaults::defaults;
+pub use item::Item;
 pub(crate) use names::is_reserved;
 pub(crate) use quantity::{DimensionNames, Fault, angle, length};
 
@@ -26,11 +30,22 @@ pub struct ChainPhrases {
     axes: Vec<SpannedName>,
 }
 
+/// A declaration that keeps all rules: no later stage but `verify` reads the declaration itself.
+#[derive(Debug)]
+pub struct Checked {
+    /// The machine, without syntax.
+    pub model: Model,
+    /// The struct, for generated code.
+    pub item: Item,
+    /// Places of the chain, for messages.
+    pub phrases: ChainPhrases,
+}
+
 /// Checks a declaration.
 ///
 /// # Errors
 /// Every rule that it breaks.
-pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, ChainPhrases), Refused> {
+pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<Checked, Refused> {
     let mut ring = Ring::default();
     let symbols = model_symbols(&mut ring);
     let mut unreadable = declaration.unreadable.clone();
@@ -62,10 +77,13 @@ pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, C
     check_required_angles(declaration, &dimensions, errors);
     check_derives(declaration, errors);
     errors.propagate()?;
+    let item = Item::of(declaration);
     let name = declaration.name.unraw().to_string();
     let phrases = ChainPhrases { chain: chain.phrase, axes: chain.axes.clone() };
     let up = declaration.up.unwrap_or_default();
-    Ok((Model { name, axes, dimensions, tool_axis, up, symbols, ring }, phrases))
+    let defaults = defaults(&axes, &dimensions, &mut ring);
+    let model = Model { name, axes, dimensions, tool_axis, up, symbols, defaults, ring };
+    Ok(Checked { model, item, phrases })
 }
 
 /// Reports refusals of the solver at the letters that they name.
@@ -174,8 +192,8 @@ fn check_offsets(declaration: &Declaration, axes: &[Axis], errors: &mut Errors) 
     }
 }
 
-/// Refuses an angle of unknown size that a rotary axis or the tool depends on: the order of the two solutions is fixed at
-/// its default or approximate value.
+/// Refuses an angle of unknown size that a rotary axis or the tool depends on: the order of the two solutions is fixed
+/// at its default or approximate value.
 fn check_required_angles(declaration: &Declaration, dimensions: &[Dimension], errors: &mut Errors) {
     for dimension in dimensions.iter().filter(|dimension| dimension.known().is_none()) {
         let name = &dimension.name;

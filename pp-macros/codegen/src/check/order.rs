@@ -24,7 +24,7 @@ pub(crate) fn or_hold(model: &Model, axis: AxisId) -> String {
         tool_side_first.then(|| ("with both rotary axes in the table", both_in_the_table(model, axis))),
         tool_side_first.then(|| ("the side of the workpiece comes before `|`", sides_exchanged(model))),
     ];
-    let solvable = others.into_iter().flatten().filter(|(_, other)| solve(&mut other.clone()).is_ok());
+    let solvable = others.into_iter().flatten().filter(|(_, other)| solve(other).is_ok());
     let orders: Vec<String> = solvable.map(|(reason, other)| format!("{reason}: {}", chain(&other))).collect();
     if orders.is_empty() {
         return format!("put {letter} in `hold`: {hold}");

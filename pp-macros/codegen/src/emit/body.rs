@@ -33,7 +33,7 @@ impl<'a> Body<'a> {
         Self::of(Language::Rust, graph, outputs)
     }
 
-    /// The same function in C.
+    /// A function in C that computes all `outputs`, in one or more steps.
     pub(crate) fn in_c(graph: &'a Graph, outputs: &[Id]) -> Self {
         Self::of(Language::C, graph, outputs)
     }

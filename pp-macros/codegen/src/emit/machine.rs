@@ -7,21 +7,15 @@ use quote::quote;
 use super::body::Body;
 use super::inputs::{InputVariables, prelude};
 use super::options::Options;
+use crate::check::Item;
 use crate::explain::{Explanation, Section};
 use crate::formula::{Formula, NamedNodes};
 use crate::model::{Axis, AxisKind, Dimension, Model, Quantity, Side, to_f64};
 use crate::solve::{SideCondition, Solved};
-use crate::syntax::Declaration;
 
 /// The struct with its documentation and its defaults.
-pub(crate) fn item(
-    declaration: &Declaration,
-    model: &Model,
-    explanation: &Explanation,
-    options: Options,
-) -> TokenStream {
-    let Declaration { attributes, visibility, name, .. } = declaration;
-    let configured = configured(declaration);
+pub(crate) fn item(declared: &Item, model: &Model, explanation: &Explanation, options: Options) -> TokenStream {
+    let Item { attributes, configured, visibility, name, runtime } = declared;
     let doc = explanation.doc();
     let fields: Vec<Ident> = model.dimensions.iter().map(|d| Ident::new(&d.name, Span::call_site())).collect();
     let field_docs = model.dimensions.iter().map(|dimension| match dimension.quantity {
@@ -29,7 +23,6 @@ pub(crate) fn item(
         Quantity::Angle(..) => format!("Angle `{}`, radians.", dimension.name),
     });
     let defaults = model.dimensions.iter().map(default);
-    let runtime = runtime(declaration);
     let serde = options.serde.then(|| {
         let path = quote!(#runtime::serde).to_string().replace(' ', "");
         quote! {
@@ -63,16 +56,6 @@ pub(crate) fn item(
             }
         }
     }
-}
-
-/// `#[cfg(...)]` attributes of the struct, for all items that are generated with it.
-pub(crate) fn configured(declaration: &Declaration) -> Vec<&syn::Attribute> {
-    declaration.attributes.iter().filter(|attribute| attribute.path().is_ident("cfg")).collect()
-}
-
-/// Path of the runtime: `::pp_runtime`, or what the field `crate` gives.
-pub(crate) fn runtime(declaration: &Declaration) -> TokenStream {
-    declaration.runtime.as_ref().map_or_else(|| quote!(::pp_runtime), |path| quote!(#path))
 }
 
 /// The associated constants.

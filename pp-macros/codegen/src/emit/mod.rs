@@ -1,6 +1,7 @@
 //! A solved and proven machine as Rust, and as C for other places. Nothing here can fail.
 //!
-//! Generated Rust names only `::core` and the runtime (`::pp_runtime`, or the path of the field `crate`), allocates nothing and contains no loop.
+//! Generated Rust names only `::core` and the runtime (`::pp_runtime`, or the path of the field `crate`), allocates
+//! nothing and contains no loop.
 
 mod body;
 mod c;
@@ -14,22 +15,22 @@ mod options;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::check::Item;
 use crate::explain::Explanation;
 use crate::model::Model;
 use crate::solve::Solved;
-use crate::syntax::Declaration;
 use inverse::Wanted;
 pub use options::Options;
 
 /// The struct, its private position function, and its `Machine` implementation.
 pub(crate) fn emit(
-    declaration: &Declaration,
+    declared: &Item,
     model: &Model,
     solved: &Solved,
     explanation: &Explanation,
     options: Options,
 ) -> TokenStream {
-    let item = machine::item(declaration, model, explanation, options);
+    let item = machine::item(declared, model, explanation, options);
     let data = machine::data(model, explanation, &c::source(model, solved));
     let set_up = machine::set_up(model, solved);
     let forward = kinematics::forward(model, solved);
@@ -43,10 +44,8 @@ pub(crate) fn emit(
     let edges =
         [Wanted::AllAxes, Wanted::RotaryAxes].into_iter().filter_map(|wanted| inverse::edge(model, solved, wanted));
     let (edges, edge_signatures): (Vec<_>, Vec<_>) = edges.unzip();
-    let name = &declaration.name;
+    let Item { name, configured, runtime, .. } = declared;
     let count = model.axes.len();
-    let runtime = machine::runtime(declaration);
-    let configured = machine::configured(declaration);
     quote! {
         #item
         #(#configured)*

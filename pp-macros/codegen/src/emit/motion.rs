@@ -69,7 +69,8 @@ fn curves(model: &Model, motion: &Motion) -> TokenStream {
     }
 }
 
-/// `+ 4 Σ |c|`, component by component; constants are added up here, and equal components, whatever their sign, counted.
+/// `+ 4 Σ |c|`, component by component; constants are added up here, and equal components, whatever their sign,
+/// counted.
 fn arms(motion: &Motion, body: &Body<'_>, centres: &[Id]) -> TokenStream {
     let mut known = 0.0;
     let mut counts: Vec<(Id, f64)> = Vec::new();

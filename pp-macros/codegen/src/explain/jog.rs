@@ -86,14 +86,12 @@ struct MachineAtDefaults<'a> {
 
 impl<'a> MachineAtDefaults<'a> {
     fn of(model: &'a Model) -> Self {
-        let mut model_at_defaults = model.clone();
-        let defaults = model_at_defaults.defaults();
-        let ring = &model_at_defaults.ring;
-        let number = |poly: &Poly| ring.value(&ring.substitute(poly, &defaults)).unwrap_or_default();
+        let Model { ring, defaults, .. } = model;
+        let number = |poly: &Poly| ring.value(&ring.substitute(poly, defaults)).unwrap_or_default();
         let vector = |vector: &PolyVector| vector.each_ref().map(number);
         let declared: Vec<Xyz> = model.axes.iter().map(|axis| vector(&axis.direction)).collect();
         let known =
-            |axis: &Axis| axis.direction.iter().all(|part| ring.value(&ring.substitute(part, &defaults)).is_some());
+            |axis: &Axis| axis.direction.iter().all(|part| ring.value(&ring.substitute(part, defaults)).is_some());
         let unknown = (0..model.axes.len()).filter(|id| !known(&model.axes[*id])).collect();
         let (tool, view) = (vector(&model.tool_axis), View::of(model.up));
         let mut machine = Self { model, directions: declared.clone(), unknown, tool, top: view.up, view };

@@ -7,8 +7,8 @@ use crate::formula::Formula;
 use crate::model::{AxisKind, Dimension, Model, Quantity, Side};
 use crate::symbolic::{PolyVector, Surd, Symbol};
 
-/// Dimensions, part origin and tool length, each with its place in the declaration, the configuration and the kinematics for a
-/// control.
+/// Dimensions, part origin and tool length, each with its place in the declaration, the configuration and the
+/// kinematics for a control.
 pub(crate) fn parameters(model: &Model) -> Section {
     let mut section = Section::default();
     for dimension in &model.dimensions {
@@ -39,8 +39,8 @@ pub(crate) fn parameters(model: &Model) -> Section {
     section
 }
 
-/// Lengths that do not move the tip, and pairs of which only the sum or the difference does: a measurement cannot tell them
-/// apart, and one of them is enough.
+/// Lengths that do not move the tip, and pairs of which only the sum or the difference does: a measurement cannot tell
+/// them apart, and one of them is enough.
 fn redundant(model: &Model) -> Vec<String> {
     let tip = model.product().origin();
     // Lengths enter the tip linearly: the motion of the tip for one mm.

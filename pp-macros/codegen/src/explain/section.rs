@@ -115,8 +115,8 @@ impl Section {
         }
     }
 
-    /// Adds a `verify` block in the language of the macro, as text only. Axes whose equations are left out are named in a
-    /// comment.
+    /// Adds a `verify` block in the language of the macro, as text only. Axes whose equations are left out are named in
+    /// a comment.
     pub(crate) fn block(&mut self, source: &str, equations: &[(Formula, Formula)], left_out: &[String]) {
         self.text.push(format!("verify \"{source}\" {{"));
         for (left, right) in equations {

@@ -1,9 +1,11 @@
 //! Tool axes within the declared travel of the rotary axes, branch by branch.
 //!
-//! A wrong sign or travel shows here: the branch in which the machine works has no travel, or another cone than the machine.
+//! A wrong sign or travel shows here: the branch in which the machine works has no travel, or another cone than the
+//! machine.
 //!
-//! With the joint angle `θ` of the second rotary, `n·b = α0 + R cos(θ - φ)`, `φ = atan2(α2, α1)`, `R = √(α1² + α2²)`: on one
-//! branch `θ - φ` is in [0°, 180°], on the other in [-180°, 0°], and on each the angle to the first rotary is monotone.
+//! With the joint angle `θ` of the second rotary, `n·b = α0 + R cos(θ - φ)`, `φ = atan2(α2, α1)`, `R = √(α1² + α2²)`:
+//! on one branch `θ - φ` is in [0°, 180°], on the other in [-180°, 0°], and on each the angle to the first rotary is
+//! monotone.
 
 use std::collections::BTreeMap;
 
@@ -70,7 +72,7 @@ fn of_two(model: &Model, solved: &Solved, two: &TwoRotaries) -> Vec<String> {
 struct Part {
     /// Words of the axis.
     words: Range,
-    /// The same as `θ - φ`, from 0 to ±180.
+    /// These words as `θ - φ`, from 0 to ±180.
     from_phase: Range,
 }
 
@@ -134,7 +136,5 @@ fn written(ranges: &[Range]) -> String {
 
 /// Values of held axes and angles at their defaults.
 fn defaults(model: &Model) -> BTreeMap<Symbol, f64> {
-    let mut model = model.clone();
-    let defaults = model.defaults();
-    defaults.into_iter().filter_map(|(symbol, value)| Some((symbol, model.ring.value(&value)?))).collect()
+    model.defaults.iter().filter_map(|(symbol, value)| Some((*symbol, model.ring.value(value)?))).collect()
 }

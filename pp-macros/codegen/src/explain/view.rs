@@ -5,7 +5,8 @@ use crate::model::Up;
 /// A direction or a point.
 pub(crate) type Xyz = [f64; 3];
 
-/// The view from the front of the machine: the coordinate directions that point to the right, away from the observer, and up.
+/// The view from the front of the machine: the coordinate directions that point to the right, away from the observer,
+/// and up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct View {
     pub(crate) right: Xyz,

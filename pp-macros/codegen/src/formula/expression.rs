@@ -107,7 +107,7 @@ impl Formula {
             }
     }
 
-    /// The same with `value` in place of `part`.
+    /// This formula with `value` in place of `part`.
     pub(crate) fn with(self, part: &Self, value: &Self) -> Self {
         if self == *part {
             return value.clone();

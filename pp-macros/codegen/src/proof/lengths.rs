@@ -4,17 +4,16 @@ use std::collections::BTreeMap;
 
 use super::claim::holds;
 use crate::model::Model;
-use crate::solve::{Solved, TwoRotaries};
-use crate::symbolic::{Interpreter, Poly, Ring};
+use crate::solve::TwoRotaries;
+use crate::symbolic::{Graph, Interpreter, Poly, Ring};
 
 /// Proves `r² = D - w²`, and that the direction of the first angle has the length `g² + e²`.
 ///
 /// Both follow from `p = n·m`, `q = m·t` and `n·a` alone: with symbols for these three the identities are small. The
 /// relations that the symbols leave out are shown before: `|m×n|² = 1-p²`, `D = (1-p²)(1-q²)`, `|n×a|² = 1-(n·a)²`,
 /// `g² + e² = (1-p²)|n×a|²`. A root is replaced by an expression that has the same square and is not negative.
-pub(crate) fn prove_lengths(model: &Model, solved: &mut Solved, two: &TwoRotaries) -> Result<(), String> {
+pub(crate) fn prove_lengths(model: &Model, graph: &mut Graph, two: &TwoRotaries) -> Result<(), String> {
     let letters = model.letters(two.rotaries);
-    let graph = &mut solved.graph;
     let cosines = [two.tilt.between.1, two.tilt.tool.1, two.edge.along.0];
     let sine_squares =
         |values: &[Poly; 3], ring: &Ring| values.clone().map(|value| &Poly::one() - &ring.mul(&value, &value));
@@ -56,7 +55,7 @@ pub(crate) fn prove_lengths(model: &Model, solved: &mut Solved, two: &TwoRotarie
         return Ok(());
     }
     // Folding may have removed a node that has a symbol; then the same is shown with everything written out.
-    if lengths_hold(&mut Interpreter::new(&mut solved.graph, BTreeMap::new()), two) {
+    if lengths_hold(&mut Interpreter::new(graph, BTreeMap::new()), two) {
         return Ok(());
     }
     Err(format!("the root of {letters} is √(D - w²), and their direction has the length g² + e²"))

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::claim::holds;
 use super::unit_vectors::GeneralDirections;
 use crate::model::{AxisId, Model};
-use crate::solve::{Branch, Solved, TwoRotaries};
-use crate::symbolic::{Id, Interpreter, Poly, PolyVector, Ring, Symbol};
+use crate::solve::{Branch, TwoRotaries};
+use crate::symbolic::{Graph, Id, Interpreter, Poly, PolyVector, Ring, Symbol};
 
 /// Proves both branches, and the axis that is taken at the rim; returns the claims in words.
 ///
@@ -14,26 +14,26 @@ use crate::symbolic::{Id, Interpreter, Poly, PolyVector, Ring, Symbol};
 /// The claim that is not proven.
 pub(crate) fn prove_two(
     general: &GeneralDirections,
-    solved: &mut Solved,
+    graph: &mut Graph,
     two: &TwoRotaries,
 ) -> Result<Vec<String>, String> {
     let mut claims = Vec::new();
     for branch in &two.branches {
-        claims.push(prove_branch(general, solved, two, branch)?);
+        claims.push(prove_branch(general, graph, two, branch)?);
     }
-    claims.push(prove_edge(general, solved, two)?);
+    claims.push(prove_edge(general, graph, two)?);
     Ok(claims)
 }
 
 fn prove_branch(
     general: &GeneralDirections,
-    solved: &mut Solved,
+    graph: &mut Graph,
     two: &TwoRotaries,
     branch: &Branch,
 ) -> Result<String, String> {
     let model = general.model();
     let letters = model.letters(two.rotaries);
-    let mut reader = general.reader(&mut solved.graph, BTreeMap::new());
+    let mut reader = general.reader(graph, BTreeMap::new());
     // `prove_lengths` has shown these two.
     let (capacity, height) = (reader.value(two.second.capacity), reader.value(two.second.height));
     let square = &capacity - &reader.ring().mul(&height, &height);
@@ -69,15 +69,15 @@ fn prove_branch(
     Ok(claim)
 }
 
-fn prove_edge(general: &GeneralDirections, solved: &mut Solved, two: &TwoRotaries) -> Result<String, String> {
+fn prove_edge(general: &GeneralDirections, graph: &mut Graph, two: &TwoRotaries) -> Result<String, String> {
     let model = general.model();
     let [first, second] = two.rotaries;
     let edge = &two.edge;
     let height = Poly::from(edge.height);
-    let capacity = general.reader(&mut solved.graph, BTreeMap::new()).value(two.second.capacity);
-    let radicand = &capacity - &solved.graph.ring().mul(&height, &height);
-    let root = Poly::from(solved.graph.root("edge", radicand));
-    let mut reader = general.reader(&mut solved.graph, BTreeMap::from([(edge.root, root)]));
+    let capacity = general.reader(graph, BTreeMap::new()).value(two.second.capacity);
+    let radicand = &capacity - &graph.ring().mul(&height, &height);
+    let root = Poly::from(graph.root("edge", radicand));
+    let mut reader = general.reader(graph, BTreeMap::from([(edge.root, root)]));
     let mut words = sin_cos_values(model, &mut reader, &[second], &[edge.second]);
     on_circle(model, &reader, second, &words)?;
     let (sine, cosine) = model.axes[first].sin_cos;

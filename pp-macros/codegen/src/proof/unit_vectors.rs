@@ -30,9 +30,8 @@ impl GeneralDirections {
 
     /// With symbols for the directions that are products; `None` if there is none, or if one is not a unit vector.
     /// `joints` has proven that the nodes are as declared.
-    pub(crate) fn of(model: &Model, solved: &mut Solved) -> Option<Self> {
+    pub(crate) fn of(model: &Model, solved: &Solved, graph: &mut Graph) -> Option<Self> {
         let mut general = Self::written_out(model);
-        let graph = &mut solved.graph;
         let rotaries = model.axes.iter().zip(&solved.directions).filter(|(axis, _)| axis.kind == AxisKind::Rotary);
         let directions = rotaries.map(|(axis, nodes)| (&axis.direction, *nodes));
         for (direction, nodes) in directions.chain([(&model.tool_axis, solved.tool_axis)]) {
@@ -52,7 +51,7 @@ impl GeneralDirections {
             .zip(&solved.directions)
             .for_each(|(axis, nodes)| replace(&mut axis.direction, *nodes));
         replace(&mut general.model.tool_axis, solved.tool_axis);
-        general.model.ring = solved.graph.ring().clone();
+        general.model.ring = graph.ring().clone();
         (!general.known.is_empty()).then_some(general)
     }
 
@@ -110,30 +109,32 @@ mod tests {
     use crate::proof::two::prove_two;
     use crate::solve::Orientation;
 
-    fn general(fields: &str) -> (Solved, Option<GeneralDirections>) {
+    fn general(fields: &str) -> (Graph, Orientation, Option<GeneralDirections>) {
         let text = format!("pub struct M; chain: C B | X Y Z; {fields}");
         let mut errors = crate::report::Errors::default();
         let declaration = crate::syntax::parse(text.parse().expect("tokens"), &mut errors).expect("syntax");
-        let (mut model, _) = crate::check::check(&declaration, &mut errors).expect("rules");
-        let mut solved = crate::solve::solve(&mut model).expect("solvable");
-        let general = GeneralDirections::of(&model, &mut solved);
-        (solved, general)
+        let model = crate::check::check(&declaration, &mut errors).expect("rules").model;
+        let solved = crate::solve::solve(&model).expect("solvable");
+        let mut graph = solved.graph.clone();
+        let general = GeneralDirections::of(&model, &solved, &mut graph);
+        (graph, solved.orientation, general)
     }
 
     #[test]
     fn directions_that_are_products_need_to_be_unit_vectors_and_no_more() {
-        let (mut solved, general) = general("axes = { C: Rx(a) * Ry(b) * Z }; dims = { a: 1 deg, b: 2 deg };");
-        let Orientation::Two(two) = solved.orientation.clone() else { unreachable!("two rotaries") };
+        let (mut graph, orientation, general) =
+            general("axes = { C: Rx(a) * Ry(b) * Z }; dims = { a: 1 deg, b: 2 deg };");
+        let Orientation::Two(two) = orientation else { unreachable!("two rotaries") };
         let mut general = general.expect("products");
-        assert!(prove_two(&general, &mut solved, &two).is_ok());
+        assert!(prove_two(&general, &mut graph, &two).is_ok());
         // Nor may one vector take the place of another.
         general.known[0].1 = -&general.known[0].1;
-        assert!(prove_two(&general, &mut solved, &two).is_err());
+        assert!(prove_two(&general, &mut graph, &two).is_err());
     }
 
     #[test]
     fn numbers_and_single_angles_stay_as_they_are() {
-        assert!(general("axes = { B: Rx(a) * Y }; dims = { a: 1 deg };").1.is_none());
-        assert!(general("axes = { B: Rx(-45 deg) * Y };").1.is_none());
+        assert!(general("axes = { B: Rx(a) * Y }; dims = { a: 1 deg };").2.is_none());
+        assert!(general("axes = { B: Rx(-45 deg) * Y };").2.is_none());
     }
 }

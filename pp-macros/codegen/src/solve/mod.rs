@@ -62,15 +62,14 @@ pub struct SideCondition {
 ///
 /// # Errors
 /// All refusals of the chain.
-pub fn solve(model: &mut Model) -> Result<Solved, Vec<Refusal>> {
-    let defaults = model.defaults();
-    let model: &Model = model;
+pub fn solve(model: &Model) -> Result<Solved, Vec<Refusal>> {
+    let defaults = &model.defaults;
     let derivation = Derivation { model, graph: GraphBuilder::new(model.ring.clone()) };
     let forward = forward::solve(&derivation);
     let position = position::solve(&derivation);
-    let orientation = orientation::solve(&derivation, &defaults);
+    let orientation = orientation::solve(&derivation, defaults);
     let mut refusals = Vec::new();
-    if vanishes(derivation.graph.term(position.determinant), &defaults) {
+    if vanishes(derivation.graph.term(position.determinant), defaults) {
         refusals.push(Refusal::DependentLinears);
     }
     let orientation = orientation.map_err(|mut found| refusals.append(&mut found)).ok();

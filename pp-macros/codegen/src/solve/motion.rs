@@ -13,8 +13,8 @@
 //! the middle of the block bound them: `A <= |y''| + M/2`, `V <= |y'| + A/2`, `ρ <= |n × (y - c)| + V/2`. From these
 //! the runtime, `pp_runtime::kinematics::MotionBound`, computes the deviation of the block.
 //!
-//! A deviation is the same from wherever it is seen, so the outermost rotary axis is not rotated for it: a linear axis after it
-//! is rotated back instead.
+//! A deviation is the same from wherever it is seen, so the outermost rotary axis is not rotated for it: a linear axis
+//! after it is rotated back instead.
 
 use super::derivation::{Derivation, Point};
 use crate::model::{Axis, AxisId, AxisKind, Model};
@@ -110,7 +110,8 @@ struct Derivatives<'g> {
     rate: TermVector<'g>,
     bend: TermVector<'g>,
     third: Term<'g>,
-    /// Vectors as long as the first two, with shorter formulas where the last axis is a rotary one: as seen before its rotation.
+    /// Vectors as long as the first two, with shorter formulas where the last axis is a rotary one: as seen before its
+    /// rotation.
     as_long: [TermVector<'g>; 2],
 }
 
@@ -136,8 +137,8 @@ impl<'g> Moving<'g> {
         Derivatives::new(zero, zero, self.derivation.graph.integer(0))
     }
 
-    /// Derivatives of a point after a rotary axis, as seen before its rotation; `lever` is the vector from the centre of the axis
-    /// to the point.
+    /// Derivatives of a point after a rotary axis, as seen before its rotation; `lever` is the vector from the centre
+    /// of the axis to the point.
     fn before_rotation(
         &self,
         what: &str,

@@ -1,8 +1,8 @@
 //! The expression graph that is printed as Rust: hash-consed, folded while it is built.
 //!
 //! A node is made once: the same operation on the same operands gives the same [`Id`]. This alone shares common
-//! subexpressions. Folding is exact for real numbers; in floating point it only leaves out roundings: constants, zeros and
-//! ones, double negation, `a - a`. Signs move outwards (`(-a)·b = -(a·b)`), so that the two solution branches share
+//! subexpressions. Folding is exact for real numbers; in floating point it only leaves out roundings: constants, zeros
+//! and ones, double negation, `a - a`. Signs move outwards (`(-a)·b = -(a·b)`), so that the two solution branches share
 //! subexpressions that differ only in sign.
 
 use std::collections::BTreeMap;

@@ -1,8 +1,8 @@
 //! Token streams to declarations.
 //!
-//! A mistake that leaves no doubt about what was meant (a missing semicolon, `=` for `:`, another bracket) is reported, and
-//! reading goes on as if it were written correctly, so that it has no consequences. Where the meaning is in doubt the field is
-//! skipped, and later messages do not mention what it would have declared.
+//! A mistake that leaves no doubt about what was meant (a missing semicolon, `=` for `:`, another bracket) is reported,
+//! and reading goes on as if it were written correctly, so that it has no consequences. Where the meaning is in doubt
+//! the field is skipped, and later messages do not mention what it would have declared.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};

@@ -21,8 +21,8 @@ use crate::formula::Formula;
 use crate::symbolic::{Poly, Sign, Symbol, hidden_zeros_of, sign_of, zeros_of};
 use crate::syntax::{Equation, Expr};
 
-/// Monomials that may be reduced for one equation: two seconds where the macro is not optimised. The largest equation of the papers
-/// takes 325.
+/// Monomials that may be reduced for one equation: two seconds where the macro is not optimised. The largest equation
+/// of the papers takes 325.
 const MOST_STEPS: usize = 500_000;
 
 /// Longest condition that is read at a glance, in characters.
@@ -301,7 +301,8 @@ impl Condition {
         }
     }
 
-    /// The same as a person reads it: an angle in place of `1 - cos B`, and words in place of long factors of divisors.
+    /// The condition as a person reads it: an angle in place of `1 - cos B`, and words in place of long factors of
+    /// divisors.
     pub(crate) fn words(&self, scope: &Scope<'_>) -> Vec<String> {
         let Self::NotZero(zeros) = self else { return vec![self.text(scope)] };
         let mut words: Vec<String> = Vec::new();

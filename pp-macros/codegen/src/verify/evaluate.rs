@@ -141,7 +141,8 @@ impl Scope<'_> {
     }
 }
 
-/// `sin(a) / cos(a)`, and for half an angle `sin(a) / (1 + cos(a))`: the tangent has the same value in every revolution.
+/// `sin(a) / cos(a)`, and for half an angle `sin(a) / (1 + cos(a))`: the tangent has the same value in every
+/// revolution.
 fn tangent(expr: &Expr, argument: &Expr) -> Expr {
     let with = |kind: ExprKind| Expr { phrase: expr.phrase, kind };
     let call = |name: &str, of: &Expr| with(ExprKind::Call(name.into(), vec![of.clone()]));

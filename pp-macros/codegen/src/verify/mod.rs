@@ -60,7 +60,7 @@ pub struct Proven {
 }
 
 /// Decides all equations; reports each that does not hold, or the change of the declaration with which all of them do.
-pub fn verify(declaration: &Declaration, model: &Model, solved: &mut Solved, errors: &mut Errors) -> Vec<Verified> {
+pub fn verify(declaration: &Declaration, model: &Model, solved: &Solved, errors: &mut Errors) -> Vec<Verified> {
     if declaration.verify.is_empty() {
         return Vec::new();
     }
@@ -81,7 +81,13 @@ pub fn verify(declaration: &Declaration, model: &Model, solved: &mut Solved, err
         verified.extend(proven);
     }
     report_failing(declaration, failing, &holding, errors);
-    for Verified { source, equations, .. } in &verified {
+    verified
+}
+
+/// A solved machine with the divisors of verified equations among those that must not be zero.
+#[must_use]
+pub fn guarded(mut solved: Solved, verified: &[Verified]) -> Solved {
+    for Verified { source, equations, .. } in verified {
         for divisor in equations.iter().flat_map(|equation| &equation.divisors) {
             let divisor = solved.graph.declared(divisor);
             if !solved.conditions.iter().any(|known| known.divisor == divisor) {
@@ -90,7 +96,7 @@ pub fn verify(declaration: &Declaration, model: &Model, solved: &mut Solved, err
             }
         }
     }
-    verified
+    solved
 }
 
 /// Reports blocks with equations that do not hold: by the change of the declaration with which all of them follow, or
@@ -165,13 +171,12 @@ struct Derived {
 }
 
 impl Derived {
-    fn new(model: &Model, solved: &mut Solved) -> Self {
+    fn new(model: &Model, solved: &Solved) -> Self {
         let rotary = first_branch(model, solved);
-        let values = solved.position.values.clone();
-        let Solved { graph, orientation, .. } = solved;
-        let mut reader = Interpreter::new(graph, BTreeMap::new());
-        let linear = values.into_iter().map(|(axis, node)| (axis, reader.value(node))).collect();
-        let side = match orientation {
+        let mut graph = solved.graph.clone();
+        let mut reader = Interpreter::new(&mut graph, BTreeMap::new());
+        let linear = solved.position.values.iter().map(|(axis, node)| (*axis, reader.value(*node))).collect();
+        let side = match &solved.orientation {
             Orientation::Two(two) => {
                 let side = two.side(model, &mut reader);
                 Some(if two.first_is_plus() { side } else { -&side })
@@ -345,8 +350,8 @@ fn assumptions(scope: &Scope<'_>, block: &Verify) -> Vec<String> {
     assumptions
 }
 
-/// Equations of a block that hold in a part of the poses only, by their place in the block. They describe one solution, so
-/// these parts have a pose in common: the formulas of the two branches are never mixed.
+/// Equations of a block that hold in a part of the poses only, by their place in the block. They describe one solution,
+/// so these parts have a pose in common: the formulas of the two branches are never mixed.
 #[derive(Default)]
 struct OneSolution {
     parts: Vec<(usize, Region)>,
@@ -368,7 +373,8 @@ impl OneSolution {
     }
 }
 
-/// The message of an equation that holds at no pose at which those before it do; `other` is the one that it contradicts.
+/// The message of an equation that holds at no pose at which those before it do; `other` is the one that it
+/// contradicts.
 fn contradiction(
     block: &Verify,
     place: usize,

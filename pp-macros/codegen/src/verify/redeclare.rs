@@ -7,7 +7,7 @@ use num_traits::Zero;
 
 use super::repair::negated;
 use super::{Block, MOST_REPAIR_WORK};
-use crate::check::{Fault, check};
+use crate::check::{Checked, Fault, check};
 use crate::model::{Axis, AxisKind, Side, kind_of};
 use crate::report::{Errors, Phrase};
 use crate::solve::solve;
@@ -42,7 +42,7 @@ pub(crate) fn redeclared(
     let mut work = 0;
     let mut machines: Vec<Vec<Axis>> = Vec::new();
     for Change { declaration, phrase, field } in changes {
-        let Ok((model, _)) = check(&declaration, &mut Errors::default()) else { continue };
+        let Ok(Checked { model, .. }) = check(&declaration, &mut Errors::default()) else { continue };
         if machines.iter().any(|known| is_same_chain(known, &model.axes)) {
             continue;
         }
@@ -59,7 +59,7 @@ pub(crate) fn redeclared(
         if !fixed.contains(&true) || !holding.iter().all(|block| follows(block).unwrap_or(false)) {
             continue;
         }
-        if solve(&mut model.clone()).is_err() {
+        if solve(&model).is_err() {
             continue;
         }
         machines.push(model.axes.clone());

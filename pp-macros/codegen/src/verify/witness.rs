@@ -1,7 +1,8 @@
 //! Witnesses: poses at which equations hold together.
 //!
-//! A witness is a rational point of the circles `sin² + cos² = 1`. It is looked for among points that are the same in every
-//! build, so that the regions of several equations can be compared: equations that describe one solution have one in common.
+//! A witness is a rational point of the circles `sin² + cos² = 1`. It is looked for among points that are the same in
+//! every build, so that the regions of several equations can be compared: equations that describe one solution have one
+//! in common.
 
 use std::collections::BTreeMap;
 
@@ -35,7 +36,8 @@ enum Dependence {
 #[derive(Debug, Clone)]
 pub(crate) struct Region {
     ring: Ring,
-    /// Roots with their radicands, and reciprocals with their divisors, in the order in which they depend on each other.
+    /// Roots with their radicands, and reciprocals with their divisors, in the order in which they depend on each
+    /// other.
     dependent: Vec<(Symbol, Dependence, Poly)>,
     claims: Claims,
 }

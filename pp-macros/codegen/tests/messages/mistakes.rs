@@ -1,7 +1,7 @@
 //! Declarations as people get them wrong, each with all its messages.
 //!
-//! `mistakes.txt` has a declaration after each title, and after each of its lines the messages as comments, with the words
-//! that they underline. `PP_BLESS=1` writes the comments again: read each as someone would who made that mistake.
+//! `mistakes.txt` has a declaration after each title, and after each of its lines the messages as comments, with the
+//! words that they underline. `PP_BLESS=1` writes the comments again: read each as someone would who made that mistake.
 
 use super::found;
 

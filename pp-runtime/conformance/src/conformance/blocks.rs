@@ -47,7 +47,8 @@ impl Setting {
         self.machine.axes().iter().map(&mut change).collect()
     }
 
-    /// Checks the bound of one block: a random one, or one whose linear axes bring the tip to a point nearby, as in a cut.
+    /// Checks the bound of one block: a random one, or one whose linear axes bring the tip to a point nearby, as in a
+    /// cut.
     pub(super) fn motion(&self, random: &mut Random, margins: &mut Margins) -> Result<(), Fault> {
         let Some(case) = self.draw_case(random) else { return Ok(()) };
         let change = self.draw_change(random);

@@ -112,8 +112,8 @@ impl fmt::Display for Fault {
 /// A machine with `required` dimensions needs a sample of them, in mm and rad:
 /// `conformance!(Trunnion, kinematics, sample = { height: 120.5 });`.
 ///
-/// In `src` it needs `#[cfg(test)]`: a dev-dependency is there for tests only. In `tests/` a module with the name of the crate
-/// hides the crate, so `$name` is another one.
+/// In `src` it needs `#[cfg(test)]`: a dev-dependency is there for tests only. In `tests/` a module with the name of
+/// the crate hides the crate, so `$name` is another one.
 #[macro_export]
 macro_rules! conformance {
     ($machine:ty, $name:ident $(, sample = $sample:tt)?) => {
@@ -185,8 +185,8 @@ pub fn check<M: Machine>(poses: usize) {
     }
 }
 
-/// Runs one check with `poses` random poses. `sample` is the machine with a value for each `required` dimension: as `default`
-/// makes it, if it has none.
+/// Runs one check with `poses` random poses. `sample` is the machine with a value for each `required` dimension: as
+/// `default` makes it, if it has none.
 ///
 /// # Panics
 /// With the first [`Fault`].

@@ -1,4 +1,7 @@
-/** Colours for the distance of the machined stock from the design: red inside it, blue outside, darker beyond the limits. */
+/**
+ * Colours for the distance of the machined stock from the design: red inside it, blue outside, darker beyond the
+ * limits.
+ */
 
 import type { DesignFigures } from "../data/simulation.ts";
 import { fromOklch, type Rgb, type Theme } from "./scale.ts";

@@ -1,9 +1,9 @@
 /**
  * Colours for values and for categories, readable with the usual kinds of colour blindness.
  *
- * The scale for values runs from indigo through blue, teal and green to yellow; its lightness rises steadily, so that it is
- * also right in grey. On a light background it ends before the yellow becomes too pale to see, on a dark one it begins
- * later. It is given in OKLCh (lightness, chroma, hue), in which equal steps look equal.
+ * The scale for values runs from indigo through blue, teal and green to yellow; its lightness rises steadily, so that
+ * it is also right in grey. On a light background it ends before the yellow becomes too pale to see, on a dark one it
+ * begins later. It is given in OKLCh (lightness, chroma, hue), in which equal steps look equal.
  */
 
 /** Red, green and blue of sRGB, each from 0 to 1. */

@@ -1,4 +1,6 @@
-/** The point that the CL data programs, to compare the drawn tip with: read from the text of plain GOTO records only. */
+/**
+ * The point that the CL data programs, to compare the drawn tip with: read from the text of plain GOTO records only.
+ */
 
 import type { Triple } from "./contract.ts";
 import type { Lines } from "./lines.ts";

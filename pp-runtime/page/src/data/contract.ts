@@ -101,6 +101,14 @@ export interface Column {
   scale?: number;
 }
 
+/** Motions that are not as they are drawn. */
+export interface Path {
+  /** In some rapids each axis moves on its own, so that their path is not the line drawn. */
+  rapids_apart: boolean;
+  /** Lines with a motion to a machine position that is not drawn, because the machine zero is unknown. */
+  undrawn: number[];
+}
+
 export interface Head {
   format: 1;
   compressed: boolean;
@@ -116,8 +124,7 @@ export interface Head {
   warnings: string[];
   summary: string[];
   tolerance_mm: number;
-  /** In some rapids each axis moves on its own, so that their path is not the line drawn. */
-  rapids_apart: boolean;
+  path: Path;
   points: number;
   columns: Column[];
   /** Names of the reasons for a block, and a sentence for each. */

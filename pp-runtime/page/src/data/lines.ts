@@ -44,7 +44,8 @@ export class Lines {
     if (wanted === "") return found;
     const text = this.text.toLowerCase();
     const needle = wanted.toLowerCase();
-    // Lower case of some letters is longer than the letter: then offsets do not agree, and lines are searched one by one.
+    // Lower case of some letters is longer than the letter: then offsets do not agree, and lines are searched one by
+    // one.
     if (text.length !== this.text.length) {
       for (let line = 1; line <= this.count; line += 1) {
         if (this.line(line).toLowerCase().includes(needle)) found.push(line);

@@ -1,5 +1,6 @@
 /**
- * The executed program: one point for the end of each leg (a block, or a chord of it), and what follows from the points.
+ * The executed program: one point for the end of each leg (a block, or a chord of it), and what follows from the
+ * points.
  *
  * A *point* is an index in all columns. A *block* is a run of points with the same line. A *position* is a fractional
  * point: 12.25 is a quarter of the leg from point 12 to point 13.
@@ -68,7 +69,9 @@ export class Program {
   readonly legSeconds: Float64Array;
   /** Deviation of the tip from the CL path in µm; NaN where unknown. */
   readonly errorUm: Float64Array;
-  /** Time at the end of each leg as it is played, s: the machining time and rapids of unknown time at an assumed speed. */
+  /**
+   * Time at the end of each leg as it is played, s: the machining time and rapids of unknown time at an assumed speed.
+   */
   readonly timeS: Float64Array;
   /** Machining time at the end of each leg, s; rapids of unknown time are not in it. */
   readonly countedS: Float64Array;
@@ -240,7 +243,10 @@ export class Program {
     return this.head.set_ups[this.placementAt(point).set_up];
   }
 
-  /** Limits of an axis as axis values with the set-up and tool of a placement; `null` where there is none, or none is known. */
+  /**
+   * Limits of an axis as axis values with the set-up and tool of a placement; `null` where there is none, or none is
+   * known.
+   */
   limits(axis: number, placement: number): [number | null, number | null] {
     const { rotary, min, max } = this.head.machine.joints[axis];
     const zero = rotary ? 0 : (this.head.placements[placement].zero?.[axis] ?? null);

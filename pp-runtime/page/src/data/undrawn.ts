@@ -1,41 +1,15 @@
 /** Motions of the program that are not drawn: to a machine position, where the machine zero is not configured. */
 
-import { tokens, type Lines } from "./lines.ts";
 import { lowerBound, type Program } from "./program.ts";
-
-/** Words of a motion in machine coordinates on each control. */
-const MACHINE_POSITION: Record<string, RegExp> = {
-  heidenhain: /\bM9[12]\b/i,
-  siemens: /\b(?:G0?53|G153|SUPA|G7[45])\b(?=.*\b[A-Z]\d?\s*=?\s*[-+.\d])/i,
-};
-const MACHINE_POSITION_ISO = /\bG(?:53|28|30)(?!\.?\d)/i;
 
 export const NOT_DRAWN = "not drawn: a motion in machine coordinates (set `machine_zero` in the configuration)";
 
-/** Whether a block without its comments moves to a machine position. */
-export function inMachineCoordinates(line: string, control: string): boolean {
-  const block = tokens(line, control)
-    .filter((token) => token.kind !== "comment")
-    .map((token) => token.text)
-    .join("");
-  return (MACHINE_POSITION[control] ?? MACHINE_POSITION_ISO).test(block);
-}
-
 export class Undrawn {
   /** Lines with a motion in machine coordinates that has no point, in order. */
-  readonly lines: number[] = [];
+  readonly lines: number[];
 
-  constructor(
-    private readonly program: Program,
-    text: Lines,
-  ) {
-    const { joints } = program.head.machine;
-    const unknown = program.head.placements.some(({ zero }) => joints.some((joint, i) => !joint.rotary && (zero?.[i] ?? null) === null));
-    if (!unknown) return;
-    const drawn = new Set(program.line);
-    for (let line = 1; line <= text.count; line += 1) {
-      if (!drawn.has(line) && inMachineCoordinates(text.line(line), program.head.control)) this.lines.push(line);
-    }
+  constructor(private readonly program: Program) {
+    this.lines = program.head.path.undrawn;
   }
 
   has(line: number): boolean {

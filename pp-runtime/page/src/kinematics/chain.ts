@@ -110,8 +110,9 @@ export function forward(machine: Machine, points: Triple[], axes: ArrayLike<numb
 /**
  * How far the tool axis is from the pole of the two free rotary axes: sine of an angle, 0 at the pole.
  *
- * The speed of the tool axis is `a₁ × t` for one rotary axis and `a₂ × t` for the other; near the pole they are parallel and
- * a small change of the tool axis needs a large rotation. `null` for a machine without two free rotary axes.
+ * The speed of the tool axis is `a₁ × t` for one rotary axis and `a₂ × t` for the other; near the pole they are
+ * parallel and a small change of the tool axis needs a large rotation. `null` for a machine without two free rotary
+ * axes.
  */
 export function poleMeasure(machine: Machine, axes: ArrayLike<number>): number | null {
   const directions: Triple[] = [];

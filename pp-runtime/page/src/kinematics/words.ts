@@ -1,4 +1,7 @@
-/** The machine in words, as someone stands before it: how a body moves while the value of its axis grows, and where it turns. */
+/**
+ * The machine in words, as someone stands before it: how a body moves while the value of its axis grows, and where it
+ * turns.
+ */
 
 import type { Machine, Triple } from "../data/contract.ts";
 import { fixed } from "../format.ts";
@@ -21,7 +24,10 @@ const directionText = (direction: Triple): string => `(${direction.map((value) =
 /** Whether a joint carries the table or the head. */
 export const bodyOf = (machine: Machine, joint: number): "table" | "head" => (joint < machine.frame_after ? "table" : "head");
 
-/** What a positive word does to the body of an axis, all axes at zero. The arrow in the scene is drawn from the same vector. */
+/**
+ * What a positive word does to the body of an axis, all axes at zero. The arrow in the scene is drawn from the same
+ * vector.
+ */
 export function motionText(machine: Machine, joint: number): string {
   const { letter, rotary } = machine.joints[joint];
   const motion = bodyMotion(machine, joint);

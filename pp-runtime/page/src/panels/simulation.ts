@@ -1,4 +1,6 @@
-/** The result of a simulation: findings as places to jump to, deviations, clearances, volumes, and what was not checked. */
+/**
+ * The result of a simulation: findings as places to jump to, deviations, clearances, volumes, and what was not checked.
+ */
 
 import { deviationColour, limitsOf, plainColour } from "../colour/deviation.ts";
 import { cssColour, type Theme } from "../colour/scale.ts";

@@ -1,12 +1,12 @@
 /**
  * Where the bodies of the schematic machine are, from the chain alone.
  *
- * Everything is in the workpiece frame with all axes at zero: there all bodies share one frame, so a body that belongs to
- * link `k` has these coordinates in the frame of link `k`, whatever its axes do later. Link 0 is the workpiece, link `k + 1`
- * is what joint `k` carries on the side of the tool, link `frame_after` is the machine frame (bed).
+ * Everything is in the workpiece frame with all axes at zero: there all bodies share one frame, so a body that belongs
+ * to link `k` has these coordinates in the frame of link `k`, whatever its axes do later. Link 0 is the workpiece, link
+ * `k + 1` is what joint `k` carries on the side of the tool, link `frame_after` is the machine frame (bed).
  *
- * True: directions, centre lines of rotary axes, travel of slides, gauge length, tool. Schematic: how far a disc is along its
- * own centre line, the offset of slides, sizes of bodies.
+ * True: directions, centre lines of rotary axes, travel of slides, gauge length, tool. Schematic: how far a disc is
+ * along its own centre line, the offset of slides, sizes of bodies.
  */
 
 import type { Machine, Triple } from "../data/contract.ts";
@@ -62,12 +62,16 @@ export interface LayoutInput {
 
 /** Direction in which the body of a joint moves on the machine while its value grows: +1 along its direction. */
 export function visibleSense(machine: Machine, joint: number): 1 | -1 {
-  // A joint on the workpiece side carries the workpiece: seen from the bed it moves opposite to the tool on the workpiece.
+  // A joint on the workpiece side carries the workpiece: seen from the bed it moves opposite to the tool on the
+  // workpiece.
   const sign = machine.joints[joint].sign;
   return joint < machine.frame_after ? (sign === 1 ? -1 : 1) : sign;
 }
 
-/** Direction in which the body of a linear joint moves, or right-handed axis about which that of a rotary one turns, while its value grows. */
+/**
+ * Direction in which the body of a linear joint moves, or right-handed axis about which that of a rotary one turns,
+ * while its value grows.
+ */
 export function bodyMotion(machine: Machine, joint: number): Triple {
   return scale(machine.joints[joint].direction, visibleSense(machine, joint));
 }
@@ -290,7 +294,8 @@ class Builder {
     const depth = Math.max(dot(base, this.back), dot(head.anchor, this.back)) + 0.9 * u;
     const foot = add(base, scale(this.back, depth - dot(base, this.back)));
     const top = add(head.anchor, scale(this.back, depth - dot(head.anchor, this.back)));
-    // The foot keeps the position of the base across, the top that of the head: a beam joins them at the height of the head.
+    // The foot keeps the position of the base across, the top that of the head: a beam joins them at the height of the
+    // head.
     const knee = add(foot, scale(this.up, dot(subtract(top, foot), this.up)));
     this.strut(link, "bed", subtract(base, scale(this.up, 0.06 * u)), subtract(foot, scale(this.up, 0.06 * u)), 0.12 * u);
     this.strut(link, "bed", foot, knee, 0.12 * u);

@@ -1,7 +1,7 @@
 /**
  * The machine as it is drawn. The scene graph is the chain: link 0 (workpiece) contains link 1 (what the first joint
- * carries), and so on to the tool; the matrix of each is the matrix of its joint. What is drawn is therefore the product of
- * the joints, and nothing else moves a body.
+ * carries), and so on to the tool; the matrix of each is the matrix of its joint. What is drawn is therefore the
+ * product of the joints, and nothing else moves a body.
  */
 
 import {
@@ -202,7 +202,10 @@ export class MachineScene {
     return box;
   }
 
-  /** Places around what is shown: corners of each body, and labels. Without `slides` only what the workpiece and the tool are on. */
+  /**
+   * Places around what is shown: corners of each body, and labels. Without `slides` only what the workpiece and the
+   * tool are on.
+   */
   places(slides: boolean): Vector3[] {
     const groups = [...this.bodies.table, ...this.bodies.head, this.tool.object];
     if (slides) groups.push(...this.bodies.bed, ...this.slides, ...this.centreLines, ...this.arrows, ...this.slideArrows, ...this.attached);

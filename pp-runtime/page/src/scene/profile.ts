@@ -10,7 +10,10 @@ export interface ToolOutline {
   cutting: ProfilePoint[];
   /** What does not cut, from there up to the end of the profile. */
   shank: ProfilePoint[];
-  /** From the end of the profile to the gauge line nothing is known: a thin line is drawn. `null` where nothing is missing. */
+  /**
+   * From the end of the profile to the gauge line nothing is known: a thin line is drawn. `null` where nothing is
+   * missing.
+   */
   unknown: [number, number] | null;
 }
 

@@ -1,4 +1,7 @@
-/** The bodies of a simulation: machined stock, stock as it is cut, design, solids of the machine, and a place to look at. */
+/**
+ * The bodies of a simulation: machined stock, stock as it is cut, design, solids of the machine, and a place to look
+ * at.
+ */
 
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, EdgesGeometry, Group, LineSegments, Matrix4, Mesh, MeshLambertMaterial, type LineBasicMaterial } from "three";
 import { deviationColours, limitsOf, plainColour, type DeviationLimits } from "../colour/deviation.ts";

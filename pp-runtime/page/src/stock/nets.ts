@@ -1,8 +1,9 @@
 /**
  * The surface of the lines of a stock: surface nets.
  *
- * Where three lines cross there is a node, in material or not. A cell between eight nodes that are not alike has a vertex: the
- * mean of the places at which its edges enter or leave the material. Every such edge makes a face of the four cells around it.
+ * Where three lines cross there is a node, in material or not. A cell between eight nodes that are not alike has a
+ * vertex: the mean of the places at which its edges enter or leave the material. Every such edge makes a face of the
+ * four cells around it.
  */
 
 import type { StockLines } from "./lines.ts";

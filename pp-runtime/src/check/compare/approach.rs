@@ -107,7 +107,8 @@ impl Comparison<'_> {
         }
     }
 
-    /// Whether a block rotates axes to another place than that of the next cut, which is compared then: to a station, or to park.
+    /// Whether a block rotates axes to another place than that of the next cut, which is compared then: to a station,
+    /// or to park.
     fn goes_elsewhere(&mut self, retracted: &mut Retracted, step: ApproachStep, current: &Current<'_>) -> bool {
         let block = current.block;
         let goes_to = |places| step.number == 1 && parking::moves_rotary(&self.rules, places, &self.previous, block);
@@ -120,7 +121,8 @@ impl Comparison<'_> {
             self.functions.state_axes(block.written);
             return true;
         }
-        // A cut goes on with the spindle on, and its rotary axes rotate first; at the end it is off before the axes are parked.
+        // A cut goes on with the spindle on, and its rotary axes rotate first; at the end it is off before the axes are
+        // parked.
         let rotates = step.number == 1 || retracted.step >= 1;
         let spindle_on = block.state.spindle_is_on();
         let continues =
@@ -219,8 +221,8 @@ impl Comparison<'_> {
         Some(Phase::Cutting(Box::new(self.arrive(retracted, current, &end))))
     }
 
-    /// Under tip control the words of all axes change with the position of the retract axis, and a rapid need not be straight:
-    /// the other axes must have arrived before.
+    /// Under tip control the words of all axes change with the position of the retract axis, and a rapid need not be
+    /// straight: the other axes must have arrived before.
     fn is_over_approach_point(&mut self, retracted: &Retracted, current: &Current<'_>, end: &ToolPose) {
         let (rules, before) = (&self.rules, &self.previous.words);
         let over = retracted.across.is_some_and(|at| rules.moves_retract_axis_alone(&at, before, current.block, end));
@@ -370,8 +372,8 @@ impl Comparison<'_> {
         self.progress.motion().is_some_and(|next| self.rules.is_at(end, &self.approach_point(0, next)))
     }
 
-    /// An approach to a hole leads straight over it, and down to it: the lift from the last position, the way over and a rapid on
-    /// the way down are not needed.
+    /// An approach to a hole leads straight over it, and down to it: the lift from the last position, the way over and
+    /// a rapid on the way down are not needed.
     fn pass_lift_to_hole(&mut self, end: &ToolPose) {
         let ahead = |index: usize| {
             let item = self.progress.get(index)?;
@@ -390,8 +392,8 @@ impl Comparison<'_> {
     /// The rewind that this approach comes back from, if the cut continues.
     fn rewind_of(&mut self, retracted: &Retracted, end: &ToolPose, current: &Current<'_>) -> Option<RewindPoint> {
         let rewind = retracted.rewind.clone()?;
-        // An operation may begin where the last one ended. It has a restart point, a way back has none; safety lines of the
-        // shop may say nothing.
+        // An operation may begin where the last one ended. It has a restart point, a way back has none; safety lines of
+        // the shop may say nothing.
         let begins = self.progress.motion().filter(|next| next.starts).is_some_and(|next| {
             let own_safety = self.rules.policy().shop.own_safety;
             !self.duties.owes(Duty::CompleteState) || own_safety && self.rules.is_at(end, &self.approach_point(0, next))

@@ -1,19 +1,21 @@
 //! Rapids and the clearance geometry.
 //!
-//! A control that does not interpolate rapids moves each axis of the machine at its own speed, and the axes arrive in any
-//! order. The tip may then be at every point of the box of the axis values between the ends of a block, rotary axes included.
-//! That box is bounded as a whole, not sampled, and compared with the geometry in force, in the part as it is mounted. A
-//! finding is
-//! - a rapid at the part whose tip may be in the geometry, although the straight line from end to end is outside it. A line
-//!   that leads into it is what the CL data asks for, and so is one along the tool axis, or it is the retract, whose length is
-//!   compared; with `transition = "direct"` all are as in the CL data;
-//! - the last block of an approach, if the tip may be deeper in the geometry than on its last part along the retract axis. It
-//!   comes from the retract position, which is above at an unknown height; the other axes are where they were before it.
+//! A control that does not interpolate rapids moves each axis of the machine at its own speed, and the axes arrive in
+//! any order. The tip may then be at every point of the box of the axis values between the ends of a block, rotary axes
+//! included. That box is bounded as a whole, not sampled, and compared with the geometry in force, in the part as it is
+//! mounted. A finding is
+//! - a rapid at the part whose tip may be in the geometry, although the straight line from end to end is outside it. A
+//!   line that leads into it is what the CL data asks for, and so is one along the tool axis, or it is the retract,
+//!   whose length is compared; with `transition = "direct"` all are as in the CL data;
+//! - the last block of an approach, if the tip may be deeper in the geometry than on its last part along the retract
+//!   axis. It comes from the retract position, which is above at an unknown height; the other axes are where they were
+//!   before it.
 //!
-//! A block that moves a single linear axis of the machine is a line in any case. Not judged, because the position before them
-//! is unknown or has another meaning, or nothing is near: steps at the retract position; an approach after a tool change, in
-//! a tilted plane or under tip control, for which the order of the approach is compared; the motion from hole to hole of a
-//! cycle of the control; rapids to a tool axis by its components, for which the control chooses the angles.
+//! A block that moves a single linear axis of the machine is a line in any case. Not judged, because the position
+//! before them is unknown or has another meaning, or nothing is near: steps at the retract position; an approach after
+//! a tool change, in a tilted plane or under tip control, for which the order of the approach is compared; the motion
+//! from hole to hole of a cycle of the control; rapids to a tool axis by its components, for which the control chooses
+//! the angles.
 
 use super::super::geometry::{angle_between, depth_of_box, depth_of_line, size};
 use super::super::policy::LinearMeaning;
@@ -78,8 +80,8 @@ impl KeepOut {
         ))
     }
 
-    /// Axis values before and after a rapid that need not be straight. Before an approach the retract axis is as far out as
-    /// leads out of the geometry.
+    /// Axis values before and after a rapid that need not be straight. Before an approach the retract axis is as far
+    /// out as leads out of the geometry.
     fn ends_of_rapid(&self, rules: &Rules<'_>, previous: &Previous, block: &Block) -> Option<[[f64; MAX_AXES]; 2]> {
         let words = rules.words();
         let (retract, solved) = (words.retract(), words.linear_bits() | words.rotary_bits());

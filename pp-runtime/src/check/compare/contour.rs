@@ -1,7 +1,7 @@
 //! Contours with cutter compensation: whether the tool fits along the path of the blocks.
 //!
-//! The path is that of the words, in their plane. Where it is the contour, the tool has its radius; where it is that of the tool
-//! centre, the largest wear, and the wear may have either sign: smaller tools are offset to the other side.
+//! The path is that of the words, in their plane. Where it is the contour, the tool has its radius; where it is that of
+//! the tool centre, the largest wear, and the wear may have either sign: smaller tools are offset to the other side.
 
 use nalgebra::Vector2;
 

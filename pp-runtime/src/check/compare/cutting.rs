@@ -1,7 +1,7 @@
 //! Blocks at the part.
 //!
-//! A block is one of these, in this order: a lift over a hole for the next cycle; the way back after a rewind; the rest of a
-//! finished motion; a part of the next motion; a step of a rapid; a retract along the tool axis.
+//! A block is one of these, in this order: a lift over a hole for the next cycle; the way back after a rewind; the rest
+//! of a finished motion; a part of the next motion; a step of a rapid; a retract along the tool axis.
 
 use std::f64::consts::PI;
 use std::io;
@@ -117,8 +117,8 @@ impl Comparison<'_> {
         }
     }
 
-    /// Lets the block carry out the next motion, or a part of it, and passes motions that need no block; `false` if it does
-    /// not fit.
+    /// Lets the block carry out the next motion, or a part of it, and passes motions that need no block; `false` if it
+    /// does not fit.
     fn carry_out(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose) -> io::Result<bool> {
         if self.is_rapid_after_retract(cutting, current.block, end) {
             cutting.back = None;
@@ -144,7 +144,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// The same for the next motion or one after it. `leads_away`: the next one needs its block.
+    /// Lets the block carry out the next motion or one after it. `leads_away`: the next one needs its block.
     fn carry_out_next(
         &mut self,
         cutting: &mut Cutting,
@@ -181,7 +181,8 @@ impl Comparison<'_> {
             let other = matches!(block.action, Action::Arc(_)) || (block.action.is_rapid() && !rapid);
             let leads_away = std::mem::take(&mut leads_away);
             let needless = !leads_away && self.rules.needs_no_block(&part.segment, here, chords);
-            // A block that continues from the end of a motion belongs to a later one, and so does one with another feed or state.
+            // A block that continues from the end of a motion belongs to a later one, and so does one with another feed
+            // or state.
             let has_state = || self.rules.fault_in_cut(block, &part.required, self.modal_context()).is_none();
             let belongs = || {
                 self.rules.is_at(end, &part.segment.to) && self.has_feed_of(here, (block, end), &part) && has_state()
@@ -230,9 +231,10 @@ impl Comparison<'_> {
         !block.action.is_feed() || fault().is_none()
     }
 
-    /// Share of a rapid to a hole or on its axis that a block has done: it may stop on its way down, because a cycle of the control
-    /// returns to where it began. Words across the tool are those of the clearance level at every height; from there words along
-    /// it follow the axis that the machine has. Its tolerance holds for what both lead off each other.
+    /// Share of a rapid to a hole or on its axis that a block has done: it may stop on its way down, because a cycle of
+    /// the control returns to where it began. Words across the tool are those of the clearance level at every height;
+    /// from there words along it follow the axis that the machine has. Its tolerance holds for what both lead off each
+    /// other.
     fn share_over_hole(
         &self,
         part: &MotionPart,
@@ -313,8 +315,8 @@ impl Comparison<'_> {
         self.finish_part(cutting, end, part, (at_feed, link));
     }
 
-    /// Largest deviations at the end of a block. No other angle than the largest so far is reported. Points of an even rotation of the
-    /// rotary axes are not on the great circle.
+    /// Largest deviations at the end of a block. No other angle than the largest so far is reported. Points of an even
+    /// rotation of the rotary axes are not on the great circle.
     fn count_deviation(&mut self, end: &ToolPose, on: &ToolPose) {
         let counts = !is_within_angle(&end.axis, &on.axis, self.tally.largest_axis_deviation())
             && self.rules.is_axis_near(&end.axis, &on.axis, BOTH);
@@ -431,7 +433,7 @@ impl Comparison<'_> {
         self.compare_points(current, ends, part)
     }
 
-    /// The same at points between the ends, where bounds do not decide.
+    /// Compares the path at points between the ends, where bounds do not decide.
     #[inline(never)]
     fn compare_points(&mut self, current: &Current<'_>, ends: [&ToolPose; 2], part: &MotionPart) -> BetweenEnds {
         let path = self.rules.path(self.previous.words, current.block);
@@ -455,7 +457,8 @@ impl Comparison<'_> {
             );
             self.found(current, &text);
         }
-        // Where the tool axis rotates in the plane of its ends it is in step with the tip, within the tolerance of that.
+        // Where the tool axis rotates in the plane of its ends it is in step with the tip, within the tolerance of
+        // that.
         let length = part.segment.length();
         let reach = if length > 0.0 { largest_mm / length } else { 1.0 };
         let lag = deviation.lag_rad - part.segment.turn() * reach;
@@ -476,8 +479,8 @@ impl Comparison<'_> {
         (part.required.tolerance_mm + rounding.tip_mm, axis_rad)
     }
 
-    /// Bounds of the deviation between the ends of a block, if they show that it is allowed, and no larger than the largest so
-    /// far: then nothing depends on its value.
+    /// Bounds of the deviation between the ends of a block, if they show that it is allowed, and no larger than the
+    /// largest so far: then nothing depends on its value.
     fn small_deviation(
         &self,
         current: &Current<'_>,
@@ -500,8 +503,8 @@ impl Comparison<'_> {
         (bound.tip_mm <= tip_mm && bound.axis_rad <= axis_rad).then_some(bound)
     }
 
-    /// The bounds of a straight block on a straight motion; one for the tip of `enough_mm` or less need not be the smallest. `None`
-    /// where the rotary axes rest, so that the tip goes straight.
+    /// The bounds of a straight block on a straight motion; one for the tip of `enough_mm` or less need not be the
+    /// smallest. `None` where the rotary axes rest, so that the tip goes straight.
     fn bound_of_line(
         &self,
         current: &Current<'_>,
@@ -550,7 +553,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// The same where that is not plain: few blocks.
+    /// Compares the feed of a block where it is not plainly right: few are.
     #[inline(never)]
     fn compare_feed_closely(
         &mut self,
@@ -574,7 +577,8 @@ impl Comparison<'_> {
         };
         let stroke = stroke.with_tip_rate(deviation.as_ref(), &part.required);
         let of = |stroke: &Stroke| self.rules.feed_fault(stroke, &block.state, segment, ends);
-        // F may be that of the motion of the CL data or of the one that the words lead on: after a cycle that leans they differ.
+        // F may be that of the motion of the CL data or of the one that the words lead on: after a cycle that leans
+        // they differ.
         let as_asked = || Stroke { length_mm: (part.share - along).abs() * segment.length(), ..stroke.clone() };
         let is_line = matches!(segment.shape, PathShape::Line);
         let fault = of(&stroke).filter(|_| !is_line || of(&as_asked()).is_some());
@@ -641,8 +645,8 @@ impl Comparison<'_> {
         true
     }
 
-    /// Whether a block is the rest of a finished motion: a step of one unit, or near the pole a rotation of the rotary axes, by
-    /// half a revolution at most (a whole one between limits), where the tool axis is at its end already.
+    /// Whether a block is the rest of a finished motion: a step of one unit, or near the pole a rotation of the rotary
+    /// axes, by half a revolution at most (a whole one between limits), where the tool axis is at its end already.
     fn is_rest(&self, cutting: &mut Cutting, block: &Block, end: &ToolPose) -> bool {
         let (rules, here) = (&self.rules, cutting.here.as_ref());
         let Some(finished) = cutting.finished.as_mut().filter(|_| rules.is_known(block, self.previous.known)) else {
@@ -651,7 +655,7 @@ impl Comparison<'_> {
         !rules.is_far_from_end(&finished.segment, end) && self.is_rest_of(finished, here, block, end)
     }
 
-    /// The same for a block near the end of the motion; few are.
+    /// Whether a block near the end of a finished motion is the rest of it; few are near.
     #[inline(never)]
     fn is_rest_of(
         &self,
@@ -688,8 +692,8 @@ impl Comparison<'_> {
         is_rest
     }
 
-    /// Whether a block near the end of a finished motion begins the next one: a rotation after a dwell or before another speed or
-    /// coolant, or a step that ends nearer to the end of the next motion.
+    /// Whether a block near the end of a finished motion begins the next one: a rotation after a dwell or before
+    /// another speed or coolant, or a step that ends nearer to the end of the next motion.
     fn begins_next(&self, finished: &FinishedMotion, here: Option<&ToolPose>, block: &Block, end: &ToolPose) -> bool {
         let (rules, FinishedMotion { segment, required, .. }) = (&self.rules, finished);
         let off = |to: &ToolPose| (end.tip - to.tip).norm();
@@ -732,9 +736,9 @@ impl Comparison<'_> {
         !at_feed || rules.feed_fault(&stroke, &block.state, segment, [&segment.from, &segment.to]).is_none()
     }
 
-    /// Whether a block is a step of a rapid: an axis that takes the shorter way and has half a revolution to go, or more, goes
-    /// in steps, and all axes their share. Each step is on the line of those before it; `end_rapid_steps` compares that line
-    /// with the rapid.
+    /// Whether a block is a step of a rapid: an axis that takes the shorter way and has half a revolution to go, or
+    /// more, goes in steps, and all axes their share. Each step is on the line of those before it; `end_rapid_steps`
+    /// compares that line with the rapid.
     fn is_step_of_rapid(&mut self, cutting: &mut Cutting, current: &Current<'_>, required: &Required) -> bool {
         let (before, block) = (self.previous.words, current.block);
         let links = &self.rules.policy().links;
@@ -764,8 +768,8 @@ impl Comparison<'_> {
         }
     }
 
-    /// A block that carries out nothing: reports it and looks among the motions ahead for the place at which the program
-    /// continues. The items between are lost.
+    /// A block that carries out nothing: reports it and looks among the motions ahead for the place at which the
+    /// program continues. The items between are lost.
     fn resume(&mut self, cutting: &mut Cutting, current: &Current<'_>, end: &ToolPose) -> io::Result<()> {
         (cutting.back, cutting.steps, cutting.rapid_from) = (None, None, None);
         cutting.retract = RetractedLength::starting(*end, 0.0);
@@ -841,8 +845,8 @@ impl Comparison<'_> {
         in_cut.is_some() && block.state.spindle == Some(None) && !stopped
     }
 
-    /// The point at which a retract interrupts the cut, if it does so. A cut that is done but for rounding may have to go on:
-    /// the coolant shows it, where the cut has any.
+    /// The point at which a retract interrupts the cut, if it does so. A cut that is done but for rounding may have to
+    /// go on: the coolant shows it, where the cut has any.
     pub(super) fn rewind_point(&self, cutting: &Cutting, out: Option<ToolPose>, block: &Block) -> Option<RewindPoint> {
         let here = cutting.here?;
         let continues = self.progress.continues_cut();

@@ -14,8 +14,8 @@ use super::{Comparison, Current, Findings};
 use crate::program::Feed;
 
 impl Comparison<'_> {
-    /// A cycle returns to the level where it began: the tool first comes to that level over its hole, and down again to a
-    /// thread by a motion; `false` if the block does something else.
+    /// A cycle returns to the level where it began: the tool first comes to that level over its hole, and down again to
+    /// a thread by a motion; `false` if the block does something else.
     pub(super) fn lifts_for_cycle(&mut self, cutting: &Cutting, current: &Current<'_>, end: &ToolPose) -> bool {
         let Some(ExpectedItem { required, hole: Some(expected), action: ExpectedAction::Motion(next), .. }) =
             self.progress.next()
@@ -75,7 +75,8 @@ impl Comparison<'_> {
         lifts
     }
 
-    /// Passes motions to a place over a hole that need no block from where the tool was; the last rapid leads down to it.
+    /// Passes motions to a place over a hole that need no block from where the tool was; the last rapid leads down to
+    /// it.
     fn pass_over_hole(&mut self, here: Option<&ToolPose>, number: u64) {
         let leads_on = |item: &ExpectedItem| {
             item.hole.as_ref().is_some_and(|of| of.number == number) && item.motion().is_some_and(|motion| motion.rapid)
@@ -141,8 +142,8 @@ impl Comparison<'_> {
         self.found_any(current, fault);
     }
 
-    /// The levels and the kind of a cycle. Returns whether the way up to the return level is left to a motion, where the tool is after
-    /// it, and the length of its way out.
+    /// The levels and the kind of a cycle. Returns whether the way up to the return level is left to a motion, where
+    /// the tool is after it, and the length of its way out.
     fn compare_hole(
         &mut self,
         current: &Current<'_>,

@@ -1,5 +1,5 @@
-//! Functions that the configuration puts into a program: length guards, dwells of the spindle, smoothing, clamps, and lines
-//! of the shop.
+//! Functions that the configuration puts into a program: length guards, dwells of the spindle, smoothing, clamps, and
+//! lines of the shop.
 
 use std::collections::BTreeMap;
 
@@ -43,7 +43,7 @@ pub(super) struct FunctionState {
     at_retract: Option<ClampsAtRetract>,
     /// Axes whose words have come since the complete state: bits.
     axes_stated: u16,
-    /// The same of rotary axes, whatever the block was for.
+    /// Rotary axes whose words have come since, whatever the block was for: bits.
     rotary_stated: u16,
     /// The blank as far as the program has defined it, in its unit.
     blank: Blank,
@@ -101,7 +101,8 @@ impl FunctionState {
         self.axes_stated |= written;
     }
 
-    /// What is wrong at the end of the first approach: the position of each axis is programmed after the complete state.
+    /// What is wrong at the end of the first approach: the position of each axis is programmed after the complete
+    /// state.
     pub(super) fn axes_unstated(&self, rules: &Rules<'_>) -> Option<String> {
         let solved = rules.words().linear_bits() | rules.words().rotary_bits();
         let axis = letter(rules, solved & !self.axes_stated);
@@ -217,8 +218,8 @@ impl FunctionState {
     /// What is missing where an operation begins: a guard of the tool length.
     pub(super) fn length_guard(&mut self, rules: &Rules<'_>, required: &Required, block: &Block) -> Option<String> {
         let policy = rules.policy();
-        // Where the program chooses the meaning of its words: positions of axes at zero may be coordinates in a plane that is not
-        // tilted, and do not depend on the length.
+        // Where the program chooses the meaning of its words: positions of axes at zero may be coordinates in a plane
+        // that is not tilted, and do not depend on the length.
         let positions = match rules.meaning() {
             LinearMeaning::AxisPositions => !policy.shop.has_planes || !rules.are_at_zero(block),
             LinearMeaning::TipCoordinates => policy.shop.guards_tip_control,
@@ -242,13 +243,14 @@ impl FunctionState {
         }
     }
 
-    /// The same of the clamps: each is on or off.
+    /// What is missing where an operation begins: a clamp that is neither on nor off.
     pub(super) fn clamps_unstated(&self, rules: &Rules<'_>) -> Option<String> {
         let clamp = letter(rules, rules.clamps() & !self.clamps_stated);
         clamp.map(|letter| format!("the clamp of {letter} is neither on nor off after the restart point"))
     }
 
-    /// What is wrong with the clamps where rotary words come for the first time after a restart point: entered there, they may rotate.
+    /// What is wrong with the clamps where rotary words come for the first time after a restart point: entered there,
+    /// they may rotate.
     pub(super) fn rotates_from_restart(&mut self, block: &Block, rules: &Rules<'_>) -> Option<String> {
         let first = block.written & rules.clamps() & !self.rotary_stated;
         self.rotary_stated |= block.written;

@@ -30,8 +30,8 @@ pub(super) struct Level {
     /// Along the normal of the plane, as in the words of the program, mm.
     pub(crate) level_mm: f64,
     pub(crate) expected: ToolPose,
-    /// Height above the clearance level, mm. There the words give the position of the hole; the line of the cycle leads off
-    /// its axis by as much as it leans.
+    /// Height above the clearance level, mm. There the words give the position of the hole; the line of the cycle leads
+    /// off its axis by as much as it leans.
     pub(crate) above_mm: f64,
 }
 
@@ -48,8 +48,8 @@ pub(super) fn pose_at(rules: &Rules<'_>, block: &Block, level_mm: f64) -> Option
     Some(rules.words().place(&words_at(rules, block, level_mm)?, &block.state))
 }
 
-/// Angle between the line that the words along the normal of the plane lead on, from one level of them to the other, and the axis
-/// of a hole, rad.
+/// Angle between the line that the words along the normal of the plane lead on, from one level of them to the other,
+/// and the axis of a hole, rad.
 pub(super) fn lean_of_words(rules: &Rules<'_>, block: &Block, levels_mm: [f64; 2], hole: &Hole) -> Option<f64> {
     let [low, high] = levels_mm.map(|level_mm| pose_at(rules, block, level_mm).map(|pose| pose.tip));
     let (line, axis) = (high? - low?, hole.top.axis.into_inner());
@@ -200,8 +200,8 @@ impl CycleComparison<'_> {
         })
     }
 
-    /// Direction and distance off the wall of a bore, and the angle at which the spindle stops, as far as the program states
-    /// them.
+    /// Direction and distance off the wall of a bore, and the angle at which the spindle stops, as far as the program
+    /// states them.
     fn bore_fault(&self) -> Option<String> {
         let (CycleKind::FineBore(bore), Drilling::FineBore { orient_rad }) = (self.cycle.kind, self.hole.drilling)
         else {
@@ -239,8 +239,8 @@ impl CycleComparison<'_> {
         })
     }
 
-    /// What is wrong with the motion of the block before its cycle, over the hole: it is below the clearance level. `before`: words
-    /// before the block.
+    /// What is wrong with the motion of the block before its cycle, over the hole: it is below the clearance level.
+    /// `before`: words before the block.
     pub(super) fn over_fault(&self, before: &[f64; MAX_AXES], known: u16) -> Option<String> {
         let normal = self.rules.words().xyz()[self.block.state.plane?.axes()[2]]?;
         let across = (0..MAX_AXES)
@@ -267,8 +267,8 @@ impl CycleComparison<'_> {
         })
     }
 
-    /// Whether a thread has the pitch of the CL data: off by no more than the rounding of the word that gives it, and over its
-    /// length by no more than a hundredth of it.
+    /// Whether a thread has the pitch of the CL data: off by no more than the rounding of the word that gives it, and
+    /// over its length by no more than a hundredth of it.
     fn is_pitch(&self, pitch: f64, expected: Option<f64>) -> bool {
         let left = matches!(self.spindle, Some((_, Rotation::CounterClockwise)));
         let Some(expected) = expected else { return false };

@@ -1,4 +1,5 @@
-//! Before a block is compared: lines of the shop, guards, complete states, and changes that must not happen at the part.
+//! Before a block is compared: lines of the shop, guards, complete states, and changes that must not happen at the
+//! part.
 
 use super::super::expect::{ExpectedAction, ExpectedItem};
 use super::super::policy::LinearMeaning;
@@ -127,7 +128,8 @@ impl Comparison<'_> {
         }
     }
 
-    /// A line of the shop for a tool that has cut comes after the records of that tool, and before it is looked at for breakage.
+    /// A line of the shop for a tool that has cut comes after the records of that tool, and before it is looked at for
+    /// breakage.
     fn ends_tool(&mut self, own: &OwnLine, current: &Current<'_>) {
         let of_end = |place: &OwnPlace| matches!(place, OwnPlace::ToolEnd { .. } | OwnPlace::CheckTool);
         if !own.places.iter().all(of_end) {
@@ -164,7 +166,8 @@ impl Comparison<'_> {
         }
     }
 
-    /// A line of the shop for the start of an operation comes after its complete state, its tool change and the retract.
+    /// A line of the shop for the start of an operation comes after its complete state, its tool change and the
+    /// retract.
     fn begins_operation(&mut self, own: &OwnLine, is_of_cl: bool, current: &Current<'_>) {
         let of_start = |place: &OwnPlace| {
             matches!(place, OwnPlace::OperationStart | OwnPlace::ToolStart { .. } | OwnPlace::MeasureTool)

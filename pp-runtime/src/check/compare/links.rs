@@ -178,8 +178,8 @@ impl Comparison<'_> {
             self.found_any(current, fault);
         }
         let links = &self.rules.policy().links;
-        // After a stop, where the position is unknown, the operator has switched the coolant; and the stop may have been in
-        // the plane.
+        // After a stop, where the position is unknown, the operator has switched the coolant; and the stop may have
+        // been in the plane.
         let dry = !phase.is_unknown() && (!rewinds || links.rewinds_dry);
         let probed = std::mem::take(&mut self.previous.probed);
         let tilts = phase.is_at_part() || (phase.is_unknown() && (probed || !links.retracts_for_stop));
@@ -220,8 +220,8 @@ impl Comparison<'_> {
         Ok(Phase::Retracted(Box::new(retracted)))
     }
 
-    /// Whether GOHOME is next, and the tool in the spindle, as far as it is known, is the one with which it is carried out: after
-    /// blocks that may be skipped, a tool that is called comes first.
+    /// Whether GOHOME is next, and the tool in the spindle, as far as it is known, is the one with which it is carried
+    /// out: after blocks that may be skipped, a tool that is called comes first.
     fn is_home_due(&self, tool: Option<u32>) -> bool {
         let Some(ExpectedItem { action: ExpectedAction::Home { called }, required, .. }) = self.progress.next() else {
             return false;
@@ -292,8 +292,8 @@ impl Comparison<'_> {
         }
     }
 
-    /// State in which the spindle may be at the retract position: as in the last cut, as a SPINDL after it requests, or as in the
-    /// operation to which the link leads; off after a stop.
+    /// State in which the spindle may be at the retract position: as in the last cut, as a SPINDL after it requests, or
+    /// as in the operation to which the link leads; off after a stop.
     fn spindle_may_be(&self, block: &Block, stopped: bool) -> Option<SpindleState> {
         block.state.spindle.flatten().filter(|_| !stopped)?;
         let requested = self.progress.requested_spindle().flatten();

@@ -45,8 +45,8 @@ pub(super) fn fault_of_retract(rules: &Rules<'_>, previous: &Previous, block: &B
     }
 }
 
-/// What is wrong with the way of the machine retract: it must lead away from the part. Where `machine_zero` or the length of
-/// the tool is unknown, it is not compared.
+/// What is wrong with the way of the machine retract: it must lead away from the part. Where `machine_zero` or the
+/// length of the tool is unknown, it is not compared.
 pub(super) fn leads_down(rules: &Rules<'_>, previous: &Previous, block: &Block) -> Option<String> {
     let (words, policy) = (rules.words(), rules.policy());
     let index = words.retract();

@@ -21,7 +21,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// The same where texts are displayed. `marks`: before and after one.
+    /// Compares displayed texts. `marks`: before and after one.
     #[inline(never)]
     fn compare_messages(
         &mut self,
@@ -33,7 +33,8 @@ impl Comparison<'_> {
         let guarded = std::mem::replace(&mut self.previous.guards, line.starts_with(b"IF "));
         if let Some(text) = displayed(line, marks).filter(|_| !guarded) {
             let text = legible(text);
-            // Before its record there may be motions that need no block. A line of the shop with a field may have the form of a text.
+            // Before its record there may be motions that need no block. A line of the shop with a field may have the
+            // form of a text.
             if !self.progress.displays(&text) && {
                 self.pass_needless(phase)?;
                 !self.progress.displays(&text) && !self.is_of_shop(line, current)

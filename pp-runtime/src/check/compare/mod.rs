@@ -1,13 +1,13 @@
 //! A program compared with its CL data, block by block.
 //!
-//! A block that ends a feed or a rapid at the part must end on the path of the CL data, in order; several blocks may share
-//! a motion, and each is compared along its path, too. The motion from one operation to the next follows from the
-//! specification: out along the tool axis, the retract axis to its machine position, rotary axes alone, the other linear
-//! axes, down to the approach point. The modal state is compared at each block that moves.
+//! A block that ends a feed or a rapid at the part must end on the path of the CL data, in order; several blocks may
+//! share a motion, and each is compared along its path, too. The motion from one operation to the next follows from the
+//! specification: out along the tool axis, the retract axis to its machine position, rotary axes alone, the other
+//! linear axes, down to the approach point. The modal state is compared at each block that moves.
 //!
-//! [`Phase::task`] is the table of what a block has to be in each phase; `cutting` has the tasks at the part, `links` those at the
-//! machine retract, `approach` the way back, `records` what acts without motion. A block that carries out nothing is reported, and the place at which the program continues is looked for
-//! among the motions ahead.
+//! [`Phase::task`] is the table of what a block has to be in each phase; `cutting` has the tasks at the part, `links`
+//! those at the machine retract, `approach` the way back, `records` what acts without motion. A block that carries out
+//! nothing is reported, and the place at which the program continues is looked for among the motions ahead.
 
 mod approach;
 mod clear;
@@ -68,9 +68,9 @@ const MOST_OTHERS: usize = 7;
 
 /// A program while it is compared.
 ///
-/// A block can have two meanings: a rapid out along the tool axis is one of the CL data, or the retract before it; an approach
-/// ends over the cut that it interrupted, or over the next motion. What follows decides; until then each of them is a
-/// reading of its own.
+/// A block can have two meanings: a rapid out along the tool axis is one of the CL data, or the retract before it; an
+/// approach ends over the cut that it interrupted, or over the next motion. What follows decides; until then each of
+/// them is a reading of its own.
 pub(super) struct Checker<'a> {
     /// The reading with the fewest findings so far.
     reading: Reading<'a>,
@@ -102,8 +102,8 @@ struct Comparison<'a> {
     /// The last block has been compared to its end: `previous` has its modes.
     compared: bool,
     duties: Duties,
-    /// What the last cut required, if its modal state was right: so is that of the cuts after it, until a block has other words
-    /// than those of a motion.
+    /// What the last cut required, if its modal state was right: so is that of the cuts after it, until a block has
+    /// other words than those of a motion.
     right_state: Option<Rc<Required>>,
     functions: FunctionState,
     contour: ContourState,
@@ -154,7 +154,7 @@ struct Previous {
     guards: bool,
     /// A probe has measured since the last machine retract: the tool is still in the plane of its point.
     probed: bool,
-    /// The same since the last approach: the operation may go on.
+    /// A probe has measured since the last approach: the operation may go on.
     measured: bool,
     /// Chords of the arcs by their angle since the words gave the position in their plane, in diameters.
     chords: f64,
@@ -166,7 +166,8 @@ struct Previous {
     tip_control: bool,
     process: PreviousProcess,
     tools: PreviousTools,
-    /// Work offset and length at the first machine retract after the last cut or complete state, or since a line of the shop.
+    /// Work offset and length at the first machine retract after the last cut or complete state, or since a line of the
+    /// shop.
     offsets: Option<OffsetsInForce>,
 }
 
@@ -298,7 +299,7 @@ impl<'a> Checker<'a> {
         }
     }
 
-    /// The same in all readings.
+    /// Compares one block in all readings.
     #[inline(never)]
     fn block_of_all(&mut self, block: &Block, text: &[u8]) -> io::Result<()> {
         let mut begun = Vec::new();
@@ -403,7 +404,8 @@ impl Reading<'_> {
         }
     }
 
-    /// Compares one block. Returns the reading in which it has its second meaning, if it has one and nothing is wrong with it.
+    /// Compares one block. Returns the reading in which it has its second meaning, if it has one and nothing is wrong
+    /// with it.
     fn block_in_two_ways(&mut self, block: &Block, text: &[u8]) -> io::Result<Option<Self>> {
         if !self.may_have_two_meanings(block) {
             return self.block(block, text).map(|()| None);
@@ -591,8 +593,8 @@ impl Comparison<'_> {
         self.way.other
     }
 
-    /// Stops the comparison before an error of the CL data, where fewer motions are known than the rules of a block may depend
-    /// on: what follows would be findings about the consequences.
+    /// Stops the comparison before an error of the CL data, where fewer motions are known than the rules of a block may
+    /// depend on: what follows would be findings about the consequences.
     fn stop_at_fault(&mut self, current: &Current<'_>) {
         if !self.progress.failed() {
             return;
@@ -652,8 +654,8 @@ impl Comparison<'_> {
         self.progress.is_needless(index, &self.rules, here, self.previous.chords)
     }
 
-    /// A plane, and a zero that follows the table, keep the state in which they are switched on; so does a length that is called,
-    /// where its call may move an axis.
+    /// A plane, and a zero that follows the table, keep the state in which they are switched on; so does a length that
+    /// is called, where its call may move an axis.
     fn captured_state(&mut self, current: &Current<'_>) {
         let (before, now) = (&self.setters.before, &current.block.state);
         let moves = self.rules.facts().length_moves && current.block.own.is_none();
@@ -689,7 +691,8 @@ impl Comparison<'_> {
         self.pass_needless_from(phase.here())
     }
 
-    /// The same from where the tool is. The rotary axes may rotate for a rapid all the same, with the machine retracted.
+    /// Passes motions that need no block with the tool at `here`. For a rapid the rotary axes may rotate, with the
+    /// machine retracted.
     fn pass_needless_from(&mut self, here: Option<&ToolPose>) -> io::Result<()> {
         while self.is_needless(0, here) {
             let is_rapid = self.progress.motion().is_some_and(|motion| motion.rapid);

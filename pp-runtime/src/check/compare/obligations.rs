@@ -1,8 +1,8 @@
 //! What must be between two cuts, as rows.
 //!
-//! [`OWED`] has what a program owes after an event, and the events that settle it. [`NEEDED`] has what must be so at each place to
-//! which a program comes: nothing of that kind is owed there any more, and the machine is in the state for it. The writer has rows
-//! of its own, from which it writes its sequence; a test compares them.
+//! [`OWED`] has what a program owes after an event, and the events that settle it. [`NEEDED`] has what must be so at
+//! each place to which a program comes: nothing of that kind is owed there any more, and the machine is in the state
+//! for it. The writer has rows of its own, from which it writes its sequence; a test compares them.
 
 mod rows;
 
@@ -92,8 +92,8 @@ impl Duties {
 }
 
 impl Comparison<'_> {
-    /// The program comes to a place: reports what is missing there. `phase`: before the block; `None` at the end of an approach
-    /// and in a cut.
+    /// The program comes to a place: reports what is missing there. `phase`: before the block; `None` at the end of an
+    /// approach and in a cut.
     pub(super) fn come_to(&mut self, place: DutyPlace, phase: Option<&Phase>, current: &Current<'_>) {
         for row in NEEDED.iter().filter(|row| row.at == place) {
             if (row.needed)(&self.rules) && self.is_missing(row.what, phase, current) {
@@ -102,7 +102,7 @@ impl Comparison<'_> {
         }
     }
 
-    /// The same at a cut, where nothing is owed as a rule.
+    /// The program comes to a cut, where nothing is owed as a rule.
     #[inline]
     pub(super) fn come_to_cut(&mut self, place: DutyPlace, current: &Current<'_>) {
         if self.duties.owed & AT_PLACE[place as usize] != 0 {
@@ -270,8 +270,8 @@ mod tests {
         }
     }
 
-    /// Steps that no duty asks for by themselves: the path of the first is compared, the others are in the state of each block or
-    /// come before their place.
+    /// Steps that no duty asks for by themselves: the path of the first is compared, the others are in the state of
+    /// each block or come before their place.
     const OF_OTHERS: [SequenceStep; 5] = [
         SequenceStep::LeadOut,
         SequenceStep::LeadOutIfTilted,

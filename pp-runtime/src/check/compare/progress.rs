@@ -266,9 +266,9 @@ impl<'a> ClProgress<'a> {
         found
     }
 
-    /// Point of the approach to a motion ahead: above it by the approach distance, or the point itself where the next motion
-    /// leads straight down from it. A hole counts as one motion, to its clearance level; the approach to a hole itself ends
-    /// above it.
+    /// Point of the approach to a motion ahead: above it by the approach distance, or the point itself where the next
+    /// motion leads straight down from it. A hole counts as one motion, to its clearance level; the approach to a hole
+    /// itself ends above it.
     pub(super) fn approach_point(&self, index: usize, first: &ClMotion, approach_mm: f64) -> ToolPose {
         let hole = self.get(index).and_then(|item| item.hole.as_ref());
         if let Some(above) =

@@ -1,5 +1,5 @@
-//! Records of the CL data that are blocks of their own: tool changes, stops, dwells, NC text, probes, block skip, the end; and the
-//! order in which they act.
+//! Records of the CL data that are blocks of their own: tool changes, stops, dwells, NC text, probes, block skip, the
+//! end; and the order in which they act.
 
 use std::io;
 
@@ -138,8 +138,8 @@ impl Comparison<'_> {
         self.previous.tools.prepares = current.block.own.is_none();
     }
 
-    /// At the end code the tool that is selected is that in the spindle, or the first one, for the next part; or that of operations
-    /// that are not in the program.
+    /// At the end code the tool that is selected is that in the spindle, or the first one, for the next part; or that
+    /// of operations that are not in the program.
     fn selected_at_end(&mut self, current: &Current<'_>) {
         let State { tool, selected, .. } = current.block.state;
         // After blocks that may be skipped the tool is unknown.
@@ -152,7 +152,8 @@ impl Comparison<'_> {
         }
     }
 
-    /// The tool that the next record of the CL data is carried out with; after the last one the tool that has been called last.
+    /// The tool that the next record of the CL data is carried out with; after the last one the tool that has been
+    /// called last.
     pub(super) fn tool_due(&self) -> Option<u32> {
         let mut ahead = (0..FOR_APPROACH).map_while(|index| self.progress.get(index));
         let carried_out = ahead.find(|item| !matches!(item.action, ExpectedAction::BlockSkip { .. }));
@@ -207,7 +208,8 @@ impl Comparison<'_> {
         Ok(())
     }
 
-    /// Reports dwells of the CL data that are not in the program before a block; `all`: those between operations as well.
+    /// Reports dwells of the CL data that are not in the program before a block; `all`: those between operations as
+    /// well.
     pub(super) fn missing_dwells(&mut self, current: &Current<'_>, all: bool) {
         while let Some(ExpectedItem { action: ExpectedAction::Dwell { seconds, between, .. }, .. }) =
             self.progress.next()
@@ -324,8 +326,8 @@ impl Comparison<'_> {
         }
     }
 
-    /// Blocks that may be skipped begin and end where OPSKIP does, with the machine retracted. What is in force after them is what
-    /// the reader knows whether they were executed or not.
+    /// Blocks that may be skipped begin and end where OPSKIP does, with the machine retracted. What is in force after
+    /// them is what the reader knows whether they were executed or not.
     pub(super) fn block_skip(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<()> {
         let on = current.block.skippable;
         let is = |index: usize, on: bool| {

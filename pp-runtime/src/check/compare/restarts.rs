@@ -10,7 +10,8 @@ use super::{Comparison, Current};
 pub(super) struct Restarts {
     /// A block with a number whose complete state has not come.
     numbered: Option<(u64, Vec<u8>)>,
-    /// The first machine retract after a restart point that has not ended a frame of each kind: bits of the frames with its line.
+    /// The first machine retract after a restart point that has not ended a frame of each kind: bits of the frames with
+    /// its line.
     not_ended: Vec<(u32, u64, Vec<u8>)>,
 }
 

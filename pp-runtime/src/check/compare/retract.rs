@@ -5,8 +5,8 @@ use super::super::rules::Rules;
 use crate::check::tolerances::{BOTH, LEADS_OUT, SAME_AXIS};
 use crate::program::Clearance;
 
-/// Length of the retract from where it began, mm; `done_mm` of it is done. `None` where the axis does not lead out of the
-/// clearance geometry.
+/// Length of the retract from where it began, mm; `done_mm` of it is done. `None` where the axis does not lead out of
+/// the clearance geometry.
 fn length(rules: &Rules<'_>, clearance: Option<&Clearance>, here: &ToolPose, done_mm: f64) -> Option<f64> {
     let out = clearance.and_then(|clearance| distance_out(clearance, &here.tip, &here.axis));
     rules.policy().links.retract_distance_mm.or(out.map(|out| out + done_mm))
@@ -20,8 +20,8 @@ pub(super) fn is_out(rules: &Rules<'_>, clearance: Option<&Clearance>, here: &To
     }
 }
 
-/// Rest of the retract and the pose after it, if that is where a block ends. `from`: the tool on the path of the CL data, and
-/// whether that is between the ends of a motion.
+/// Rest of the retract and the pose after it, if that is where a block ends. `from`: the tool on the path of the CL
+/// data, and whether that is between the ends of a motion.
 pub(super) fn rest(
     rules: &Rules<'_>,
     clearance: Option<&Clearance>,
@@ -45,7 +45,8 @@ pub(super) fn rest(
     })
 }
 
-/// Whether a pose is at a distance along a tool axis that is known to its rounding; `out` to so many roundings of a tip.
+/// Whether a pose is at a distance along a tool axis that is known to its rounding; `out` to so many roundings of a
+/// tip.
 pub(super) fn is_at_distance(
     rules: &Rules<'_>,
     end: &ToolPose,

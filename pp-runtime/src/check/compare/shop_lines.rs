@@ -1,7 +1,7 @@
 //! Lines that the configuration brings into a program at fixed places: that none of them is lost.
 //!
-//! They come while the tool is away from the part, so what has come since it was there is compared where it comes back, and
-//! at the end code. A line about a tool is about the tool in the spindle.
+//! They come while the tool is away from the part, so what has come since it was there is compared where it comes back,
+//! and at the end code. A line about a tool is about the tool in the spindle.
 
 use std::collections::BTreeSet;
 
@@ -71,8 +71,8 @@ impl ShopLines {
         self.lines.has(text)
     }
 
-    /// What is wrong with the values of a line about a tool. `spindle`: tool in the spindle; `next`: register of the operation
-    /// that follows.
+    /// What is wrong with the values of a line about a tool. `spindle`: tool in the spindle; `next`: register of the
+    /// operation that follows.
     pub(super) fn values_fault(&self, own: &OwnLine, spindle: Option<u32>, next: Option<u32>) -> Option<String> {
         let key = own.places.first()?.key()?;
         let of_next = |place: &OwnPlace| {
@@ -92,8 +92,8 @@ impl ShopLines {
         Some(format!("this line of `{key}` is for length register {offset}, but that of the tool is {register}"))
     }
 
-    /// An approach has ended: what is missing before it. `starts`: an operation begins there, with this tool and register, or goes on
-    /// after a probe has measured (`goes_on`).
+    /// An approach has ended: what is missing before it. `starts`: an operation begins there, with this tool and
+    /// register, or goes on after a probe has measured (`goes_on`).
     pub(super) fn approach(&mut self, starts: bool, goes_on: bool, (tool, register): ToolAndRegister) -> Vec<String> {
         let mut missing = self.needless(starts, tool);
         self.has_cut = true;
@@ -173,7 +173,8 @@ impl ShopLines {
         }
     }
 
-    /// What the tool that has cut lacks before a place. Whichever tool is in the spindle afterwards, it is not looked at any more.
+    /// What the tool that has cut lacks before a place. Whichever tool is in the spindle afterwards, it is not looked
+    /// at any more.
     pub(super) fn end_tool(&mut self, before: &str) -> Vec<String> {
         let tool = self.last_tool.map(|(tool, _)| tool);
         let checked = self.is_checked(tool);
@@ -202,8 +203,8 @@ impl ShopLines {
         })
     }
 
-    /// Whether blocks that measure the tool in the spindle, or look for its breakage, have not come yet and have to. `next`: tool
-    /// of the next cut; `skips`: blocks that may be skipped begin or end before it.
+    /// Whether blocks that measure the tool in the spindle, or look for its breakage, have not come yet and have to.
+    /// `next`: tool of the next cut; `skips`: blocks that may be skipped begin or end before it.
     pub(super) fn is_measuring_due(&self, spindle: Option<u32>, next: Option<Option<u32>>, skips: bool) -> bool {
         let due = |due: OwnPlace| !self.lines.missing(|place| place == due).is_empty();
         let has_cut = self.last_tool.map(|(tool, _)| tool) == Some(spindle);

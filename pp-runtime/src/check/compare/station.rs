@@ -37,7 +37,8 @@ impl Comparison<'_> {
         goes
     }
 
-    /// The retract axis to its position, after the other axes: it may be the retract position. Whether the block does that.
+    /// The retract axis to its position, after the other axes: it may be the retract position. Whether the block does
+    /// that.
     pub(super) fn descends_to_station(&mut self, phase: &Phase, current: &Current<'_>) -> bool {
         let block = current.block;
         let retract = self.rules.words().retract();

@@ -19,8 +19,8 @@ impl ExpectedHole {
         tool_pose(&self.hole.level(self.hole.clearance_mm))
     }
 
-    /// Where an approach ends whose first motion leads to `to`, over the hole: on the return level, and not below the approach
-    /// distance; `None` if the motion leads elsewhere.
+    /// Where an approach ends whose first motion leads to `to`, over the hole: on the return level, and not below the
+    /// approach distance; `None` if the motion leads elsewhere.
     pub(crate) fn approach_point(&self, to: &ToolPose, approach_mm: f64) -> Option<ToolPose> {
         let hole = &self.hole;
         let level = hole.return_mm.max(hole.clearance_mm + approach_mm);

@@ -1,8 +1,9 @@
 //! The CL data as a program must carry it out: one item after the other, each with the state that it requires.
 //!
-//! Events come from a reader of the check's own. `placement` has the part as it is mounted, `modal` the modal state of the
-//! CL data: tool, register, speed, sense of rotation and coolant of each motion, where an operation begins, what is
-//! posted at all; `operations` has the rules of single operations. Arcs and pieces of curves stay what they are; `hole` has the motions of a hole.
+//! Events come from a reader of the check's own. `placement` has the part as it is mounted, `modal` the modal state of
+//! the CL data: tool, register, speed, sense of rotation and coolant of each motion, where an operation begins, what is
+//! posted at all; `operations` has the rules of single operations. Arcs and pieces of curves stay what they are; `hole`
+//! has the motions of a hole.
 
 mod hole;
 mod modal;
@@ -44,7 +45,8 @@ pub(super) struct Required {
     pub(crate) gauge_length_mm: Option<f64>,
     /// `None`: off, or never requested.
     pub(crate) spindle: Option<SpindleState>,
-    /// Spindle state that the last SPINDL requests, if that is after a motion of its operation; `None` before the first.
+    /// Spindle state that the last SPINDL requests, if that is after a motion of its operation; `None` before the
+    /// first.
     requested_spindle: Option<Option<SpindleState>>,
     /// The one that it takes the place of, without a motion between them.
     requested_before: Option<SpindleState>,
@@ -122,8 +124,8 @@ pub(super) enum ExpectedAction {
     BlockSkip {
         on: bool,
     },
-    /// `between`: before the first motion of an operation; the tool may have left the part. `spindle`: state that SPINDL
-    /// has requested before it, since the last operation.
+    /// `between`: before the first motion of an operation; the tool may have left the part. `spindle`: state that
+    /// SPINDL has requested before it, since the last operation.
     Dwell {
         seconds: f64,
         between: bool,

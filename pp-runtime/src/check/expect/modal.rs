@@ -1,5 +1,5 @@
-//! Modal state of the CL data, from the specification: which tool, register, speed, sense of rotation and coolant belong
-//! to a motion, where an operation begins, and what is posted.
+//! Modal state of the CL data, from the specification: which tool, register, speed, sense of rotation and coolant
+//! belong to a motion, where an operation begins, and what is posted.
 
 use std::rc::Rc;
 
@@ -153,7 +153,8 @@ struct OperationState {
     starts: bool,
     /// The position of the machine is known.
     position_known: bool,
-    /// Nothing but names, and calls of the tool in the spindle, has come since the last motion, with a clearance geometry.
+    /// Nothing but names, and calls of the tool in the spindle, has come since the last motion, with a clearance
+    /// geometry.
     linked: bool,
     /// Something has moved since the last stop.
     worked: bool,
@@ -409,8 +410,8 @@ impl<'a> ClState<'a> {
         self.calls.last
     }
 
-    /// A text that the control displays, where the configuration asks for it; before the first motion of an operation it
-    /// belongs to that.
+    /// A text that the control displays, where the configuration asks for it; before the first motion of an operation
+    /// it belongs to that.
     fn message(&mut self, at: Location, text: &[u8], may_be_cut: bool) {
         self.calls.before = None;
         let operation = &self.operation;
@@ -491,7 +492,8 @@ impl<'a> ClState<'a> {
         request.register = asked.register.or(request.register.filter(|_| asked.side == CutterSide::On));
     }
 
-    /// The radius register of a compensation that begins: that of the tool which then is in the spindle, unless another is given.
+    /// The radius register of a compensation that begins: that of the tool which then is in the spindle, unless another
+    /// is given.
     fn radius_register(&self) -> u32 {
         let tool = self.required.tool.unwrap_or(0);
         let given = self.policy.set_up.tools.get(&tool).and_then(|tool| tool.radius_offset);
@@ -505,7 +507,8 @@ impl<'a> ClState<'a> {
         operation.linked = first && same && self.policy.links.over_clearance && self.required.clearance.is_some();
     }
 
-    /// Whether the tool goes on to an operation without a retract: at rapid, with the same tool axis, over the clearance geometry.
+    /// Whether the tool goes on to an operation without a retract: at rapid, with the same tool axis, over the
+    /// clearance geometry.
     fn links_to(&self, motion: &Move) -> bool {
         let (Some(from), Some(clearance)) = (self.path.here, self.required.clearance) else { return false };
         let axes = from.axis.into_inner() - motion.pose.axis.into_inner();
@@ -526,14 +529,14 @@ impl<'a> ClState<'a> {
         self.path.fresh_arc = true;
     }
 
-    /// The same from an unknown position of the machine.
+    /// The next motion begins an operation from an unknown position of the machine.
     fn begin_anew(&mut self) {
         self.begin();
         self.operation.position_known = false;
         self.operation.linked = false;
     }
 
-    /// The same, and no cut goes on from where it was.
+    /// The next motion begins an operation from an unknown position, and no cut goes on from where it was.
     fn begin_elsewhere(&mut self) {
         self.path.goes_on = false;
         self.begin_anew();

@@ -1,9 +1,9 @@
 //! Axis values into tip and tool axis: the chain of the declaration as a product of matrices, at run time.
 //!
-//! `T(q) = Π J_i(q_i)` from the workpiece to the tool, `J = Trans(q·u)` for a linear axis, `Trans(c)·Rot(n, q)·Trans(-c)` for
-//! a rotary one, `q` with its sign. The tip is `T·(0,0,0,1)`, the tool axis `T·(t,0)`. Nothing of the generated functions
-//! is used: the joints are those that the declaration states. The product is applied to tip and axis from the tool
-//! outwards, which costs a rotation of two vectors for each rotary axis.
+//! `T(q) = Π J_i(q_i)` from the workpiece to the tool, `J = Trans(q·u)` for a linear axis,
+//! `Trans(c)·Rot(n, q)·Trans(-c)` for a rotary one, `q` with its sign. The tip is `T·(0,0,0,1)`, the tool axis
+//! `T·(t,0)`. Nothing of the generated functions is used: the joints are those that the declaration states. The product
+//! is applied to tip and axis from the tool outwards, which costs a rotation of two vectors for each rotary axis.
 
 use std::cell::Cell;
 
@@ -99,7 +99,8 @@ pub(crate) struct Swing {
     pub(crate) bend_mm: f64,
     /// Third derivative of the tip, mm.
     pub(crate) jerk_mm: f64,
-    /// Rotation of the tool axis, rad: that of all rotary axes together. Its square is the bound of the second derivative.
+    /// Rotation of the tool axis, rad: that of all rotary axes together. Its square is the bound of the second
+    /// derivative.
     pub(crate) angle: f64,
 }
 
@@ -205,10 +206,10 @@ impl Chain {
 
     /// Bounds of a motion to axis values, each of which changes evenly, by `change` in the whole motion, mm and rad.
     ///
-    /// From the tool outwards, `r` being the tip in the frame of a link: a linear axis adds to its speed. A rotary axis leads the
-    /// arm `a = r - c` to `R a`, with the derivatives `ω n×Ra + R a'` and `ω² n×(n×Ra) + 2ω n×Ra' + R a''`; the third is bounded
-    /// by `ω³|a| + 3ω²|a'| + 3ω|a''| + |a'''|`. Arms are those at the end of the motion, by their lengths where another axis rotates
-    /// them, and no longer before it than by the speed.
+    /// From the tool outwards, `r` being the tip in the frame of a link: a linear axis adds to its speed. A rotary axis
+    /// leads the arm `a = r - c` to `R a`, with the derivatives `ω n×Ra + R a'` and `ω² n×(n×Ra) + 2ω n×Ra' + R a''`;
+    /// the third is bounded by `ω³|a| + 3ω²|a'| + 3ω|a''| + |a'''|`. Arms are those at the end of the motion, by their
+    /// lengths where another axis rotates them, and no longer before it than by the speed.
     #[inline(always)]
     pub(crate) fn swing(&self, values: &[f64; MAX_AXES], change: &[f64; MAX_AXES]) -> Swing {
         // The tip from the last centre, and the length of what has been rotated about it.
@@ -253,7 +254,8 @@ impl Chain {
         speed
     }
 
-    /// Whether linear axes lead the tip in perpendicular directions with the rotary axes at these values. `linear`: their positions.
+    /// Whether linear axes lead the tip in perpendicular directions with the rotary axes at these values. `linear`:
+    /// their positions.
     pub(crate) fn is_perpendicular(&self, values: &[f64; MAX_AXES], linear: impl Iterator<Item = usize>) -> bool {
         let unit = |place: usize| std::array::from_fn(|index| if index == place { 1.0 } else { 0.0 });
         let directions: Vec<_> = linear.map(|place| self.speed(values, &unit(place))).collect();
@@ -265,8 +267,8 @@ impl Chain {
 
     /// Tip positions of the axis values around `values`, each by `by` or less on its own, mm and rad.
     ///
-    /// A rotation by `δ` about `n` moves `a + L`, `a` the arm and `L` what the axes nearer the tool add, by `δ·n×a` and, apart
-    /// from that, by `|δ|·|n×L| + δ²/2·(|n×a| + |n×L|)` at most.
+    /// A rotation by `δ` about `n` moves `a + L`, `a` the arm and `L` what the axes nearer the tool add, by `δ·n×a`
+    /// and, apart from that, by `|δ|·|n×L| + δ²/2·(|n×a| + |n×L|)` at most.
     pub(crate) fn around(&self, values: &[f64; MAX_AXES], by: &[f64; MAX_AXES]) -> TipRegion {
         let (mut tip, mut rates) = (Vector3::zeros(), [Vector3::zeros(); MAX_AXES]);
         let (mut bend_mm, mut bends_mm) = (0.0, [0.0; MAX_AXES]);
@@ -351,7 +353,7 @@ impl Link {
         self.rotated_about(&self.centre, tool, angle)
     }
 
-    /// The same of two points, each about its own centre, or of vectors.
+    /// Rotates two points, each about its own centre, or two vectors.
     #[inline(always)]
     fn rotated_about(&self, centre: &Pair, tool: &Pair, angle: f64) -> Pair {
         let Turn { sine, cosine, .. } = self.turn(angle);

@@ -1,10 +1,10 @@
 //! The clearance geometry: the retract along the tool axis out of it, and the depth to which a motion leads into it.
 //!
-//! Along a line the height above a convex body is a convex function: its lowest point is found by sections, and the point
-//! where the line leaves the body by bisection. Nothing is solved in closed form.
+//! Along a line the height above a convex body is a convex function: its lowest point is found by sections, and the
+//! point where the line leaves the body by bisection. Nothing is solved in closed form.
 //!
-//! The height is the largest of the distances from a few planes. A box of axis values whose tips are all on the outer side
-//! of one of them does not reach into the body; a box of which that is not sure is halved.
+//! The height is the largest of the distances from a few planes. A box of axis values whose tips are all on the outer
+//! side of one of them does not reach into the body; a box of which that is not sure is halved.
 
 use nalgebra::Vector3;
 
@@ -49,10 +49,10 @@ pub(crate) fn depth_of_line(clearance: &Clearance, from: &Vector3<f64>, to: &Vec
     -at(lowest(0.0, 1.0, at))
 }
 
-/// Depth of the deepest tip whose axes are anywhere between two positions, if it is deeper than `allowed_mm`; mm. Each axis
-/// takes any value between its own two, whatever the others do. Without a result no tip is deeper than `allowed_mm` by
-/// `accuracy_mm`; a result is the depth of a tip, at least [`NEARLY`] of the largest. Where [`MOST_BOXES`] do not suffice it
-/// may be less, and a bound if no such tip has been seen.
+/// Depth of the deepest tip whose axes are anywhere between two positions, if it is deeper than `allowed_mm`; mm. Each
+/// axis takes any value between its own two, whatever the others do. Without a result no tip is deeper than
+/// `allowed_mm` by `accuracy_mm`; a result is the depth of a tip, at least [`NEARLY`] of the largest. Where
+/// [`MOST_BOXES`] do not suffice it may be less, and a bound if no such tip has been seen.
 pub(crate) fn depth_of_box(
     clearance: &Clearance,
     chain: &Chain,

@@ -1,8 +1,8 @@
 //! How far smooth functions of a share reach: samples, and between them golden sections.
 //!
-//! Between samples as close as these a function is a parabola to a few percent: it rises above the highest of three by an
-//! eighth of their second difference. Where the whole of that difference would matter, the peak is sought, to the noise of
-//! the function. What stays inside costs nothing but its samples.
+//! Between samples as close as these a function is a parabola to a few percent: it rises above the highest of three by
+//! an eighth of their second difference. Where the whole of that difference would matter, the peak is sought, to the
+//! noise of the function. What stays inside costs nothing but its samples.
 
 use super::super::read::{MAX_AXES, set_bits};
 

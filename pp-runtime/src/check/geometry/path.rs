@@ -39,8 +39,8 @@ pub(crate) struct ArcPath {
     angle: f64,
 }
 
-/// A tip on its way round: at a share `t` of its angle `a` at `middle + start cos a t + quarter sin a t + rise t`, mm. `quarter` is a
-/// quarter turn on in the sense in which it goes.
+/// A tip on its way round: at a share `t` of its angle `a` at `middle + start cos a t + quarter sin a t + rise t`, mm.
+/// `quarter` is a quarter turn on in the sense in which it goes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct RoundTip {
     pub(crate) middle: Vector3<f64>,
@@ -77,8 +77,9 @@ pub(crate) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     2.0 * smaller((a - b).norm() / 2.0, 1.0).asin()
 }
 
-/// Whether the angle between two unit vectors is at most `largest`, rad. Their chord `c` decides nearly always: the angle is no
-/// smaller than `c`, and no larger than `c + c³/7`: the difference of both, divided by `c³`, grows with `c` to less than 1/7.
+/// Whether the angle between two unit vectors is at most `largest`, rad. Their chord `c` decides nearly always: the
+/// angle is no smaller than `c`, and no larger than `c + c³/7`: the difference of both, divided by `c³`, grows with `c`
+/// to less than 1/7.
 pub(crate) fn is_within_angle(a: &Vector3<f64>, b: &Vector3<f64>, largest: f64) -> bool {
     let squared = (a - b).norm_squared();
     let chord = squared.sqrt();
@@ -109,8 +110,8 @@ impl ArcPath {
         self.angle
     }
 
-    /// Distance of a point from the arc, mm, where its foot is near to the place at this angle; `None` elsewhere, and beyond
-    /// the ends. Angles count from the start of the motion; sine and cosine are those of this one.
+    /// Distance of a point from the arc, mm, where its foot is near to the place at this angle; `None` elsewhere, and
+    /// beyond the ends. Angles count from the start of the motion; sine and cosine are those of this one.
     pub(crate) fn distance_near(&self, point: &Vector3<f64>, angle: f64, (sine, cosine): (f64, f64)) -> Option<f64> {
         let between = |[a, b]: [f64; 2], share: f64| a + (b - a) * share;
         let from = point - self.centre;
@@ -130,14 +131,15 @@ impl ArcPath {
         Some((out * out + distance * radius * turned * turned + up * up).sqrt())
     }
 
-    /// Bound of the distance of a tip that goes round from the arc, mm; it begins about where this share of the arc is done.
-    /// `None` where it begins or ends elsewhere, or about another centre.
+    /// Bound of the distance of a tip that goes round from the arc, mm; it begins about where this share of the arc is
+    /// done. `None` where it begins or ends elsewhere, or about another centre.
     ///
-    /// Each of its points is compared with that of the arc at the same angle about the centre. The distance of a circle from a
-    /// point within it is largest and smallest towards and away from its centre, or at an end of its arc. Radii and heights of the
-    /// arc change evenly with the angle: their differences are largest at the ends, but for what the angle about another centre is
-    /// ahead of even steps. By how much the tip's path differs from a circle in this plane is added. Beyond an end of the arc the
-    /// point is that end: the last point of the tip is the farthest from it.
+    /// Each of its points is compared with that of the arc at the same angle about the centre. The distance of a circle
+    /// from a point within it is largest and smallest towards and away from its centre, or at an end of its arc. Radii
+    /// and heights of the arc change evenly with the angle: their differences are largest at the ends, but for what the
+    /// angle about another centre is ahead of even steps. By how much the tip's path differs from a circle in this
+    /// plane is added. Beyond an end of the arc the point is that end: the last point of the tip is the farthest from
+    /// it.
     pub(crate) fn farthest(&self, tip: &RoundTip, along: f64) -> Option<f64> {
         let parts = |of: &Vector3<f64>| (Vector2::new(of.dot(&self.u), of.dot(&self.v)), of.dot(&self.normal));
         let (off, height) = parts(&(tip.middle - self.centre));
@@ -176,7 +178,8 @@ impl ArcPath {
         let up =
             larger((height - between(self.heights, first)).abs(), (height + rise - between(self.heights, last)).abs());
         let beside = rise_beside.norm() + (quarter - square).norm();
-        // The share of the arc by which a point may be ahead of even steps between the ends, and what radius and height change in it.
+        // The share of the arc by which a point may be ahead of even steps between the ends, and what radius and height
+        // change in it.
         let ahead = 2.0 * (centre_off + beside) / (radius - centre_off) / self.angle;
         let uneven = [self.radii, self.heights].map(|[a, b]| (b - a).abs() * ahead);
         let tilted = Vector2::new(tilt_start, tilt_quarter).norm();
@@ -199,8 +202,8 @@ impl ArcPath {
         angle / self.angle
     }
 
-    /// The share nearest to a point in the turn that a share says: rounding of ends and centre may have made an arc longer
-    /// or shorter.
+    /// The share nearest to a point in the turn that a share says: rounding of ends and centre may have made an arc
+    /// longer or shorter.
     pub(crate) fn share_near(&self, point: &Vector3<f64>, share: f64) -> f64 {
         let angle = self.angle_of(point);
         let turns = ((share * self.angle - angle) / TAU).round();
@@ -213,13 +216,13 @@ impl ArcPath {
         from.dot(&self.v).atan2(from.dot(&self.u))
     }
 
-    /// The share nearest to a point whose angle is about this one: on a steep helix a small error of the angle is a large
-    /// one of the height, and the foot of the point lies between the shares of both.
+    /// The share nearest to a point whose angle is about this one: on a steep helix a small error of the angle is a
+    /// large one of the height, and the foot of the point lies between the shares of both.
     fn foot(&self, point: &Vector3<f64>, share: f64) -> f64 {
         self.foot_at((point - self.centre).dot(&self.normal), share)
     }
 
-    /// The same for a point at a height.
+    /// The share of a point at a height.
     fn foot_at(&self, height: f64, share: f64) -> f64 {
         let rise = self.heights[1] - self.heights[0];
         let round = self.angle * f64::midpoint(self.radii[0], self.radii[1]);
@@ -305,8 +308,8 @@ impl Segment {
         angle_between(&self.from.axis, &self.to.axis)
     }
 
-    /// The share at which the motion is nearest to a pose, not before `after`; on a curve the first whose distance is no more
-    /// than `near`, mm. `per_rad`: so many mm of the tip count as much as one rad of the axis.
+    /// The share at which the motion is nearest to a pose, not before `after`; on a curve the first whose distance is
+    /// no more than `near`, mm. `per_rad`: so many mm of the tip count as much as one rad of the axis.
     pub(crate) fn share(&self, pose: &ToolPose, after: f64, near: f64, per_rad: f64) -> f64 {
         match &self.shape {
             PathShape::Line => {
@@ -347,8 +350,8 @@ impl Segment {
 }
 
 impl AxisArc {
-    /// Whether the angle between an axis and the arc is at most `angle`, rad. Chords and sines, which are no larger than their
-    /// angles, exclude most.
+    /// Whether the angle between an axis and the arc is at most `angle`, rad. Chords and sines, which are no larger
+    /// than their angles, exclude most.
     pub(crate) fn is_within(&self, axis: &Vector3<f64>, angle: f64) -> bool {
         let far = match self {
             Self::Narrow { .. } => false,
@@ -387,7 +390,8 @@ fn cubic(points: &[Vector3<f64>; 4], t: f64) -> Vector3<f64> {
 
 /// The nearest place of a cubic that is not before `after`, or the first that is as near as `near`.
 ///
-/// `(B(t) - tip) . B'(t)` vanishes there, or it is an end. Both sides of a narrow bend are looked at, however narrow it is.
+/// `(B(t) - tip) . B'(t)` vanishes there, or it is an end. Both sides of a narrow bend are looked at, however narrow it
+/// is.
 fn nearest(points: &[Vector3<f64>; 4], tip: &Vector3<f64>, after: f64, near: f64) -> f64 {
     let from = after.min(1.0);
     let distance = |t: f64| (cubic(points, t) - tip).norm();
@@ -410,8 +414,8 @@ fn slope(points: &[Vector3<f64>; 4], tip: &Vector3<f64>) -> [f64; 6] {
     slope
 }
 
-/// Where a polynomial, lowest power first, changes its sign between two places, in ascending order: between neighbouring
-/// zeros of its derivative it is monotone, so that sections find them all.
+/// Where a polynomial, lowest power first, changes its sign between two places, in ascending order: between
+/// neighbouring zeros of its derivative it is monotone, so that sections find them all.
 fn roots(polynomial: &[f64; 6], low: f64, high: f64) -> ([f64; 5], usize) {
     let mut derivatives = [*polynomial; 5];
     for level in 1..5 {
@@ -526,8 +530,8 @@ mod tests {
         assert_eq!(roots(&[1.0, 0.0, 1.0, 0.0, 0.0, 0.0], 0.0, 1.0).1, 0);
     }
 
-    /// Tips that go round about as a spiral helix does, the other way or in a plane that is tilted: none is farther off than the
-    /// bound says.
+    /// Tips that go round about as a spiral helix does, the other way or in a plane that is tilted: none is farther off
+    /// than the bound says.
     #[test]
     fn no_point_of_a_tip_that_goes_round_is_farther_from_an_arc_than_its_bound() {
         let mut seed = 7_u64;

@@ -1,10 +1,10 @@
 //! Whether a tool fits along a contour in the plane, on one side of it.
 //!
-//! Think of the tool growing from nothing. At a concave corner its centre begins at the corner and moves off both sides, always
-//! equally far from both; what it leaves behind of either side it never touches. Between two lines, a line and a circle, or two
-//! circles, the centre is the corner of a triangle whose sides are known, so each side loses the difference between two angles of
-//! such triangles. A side fits if it loses less than it has. A convex corner loses nothing, and an arc around the tool must be
-//! larger than the tool.
+//! Think of the tool growing from nothing. At a concave corner its centre begins at the corner and moves off both
+//! sides, always equally far from both; what it leaves behind of either side it never touches. Between two lines, a
+//! line and a circle, or two circles, the centre is the corner of a triangle whose sides are known, so each side loses
+//! the difference between two angles of such triangles. A side fits if it loses less than it has. A convex corner loses
+//! nothing, and an arc around the tool must be larger than the tool.
 
 use std::f64::consts::PI;
 
@@ -30,7 +30,8 @@ pub(crate) enum NoFit {
     Corner,
     /// A side that loses more than it has, mm; `earlier`: the one before the corner.
     Side { earlier: bool, has: f64, loses: f64 },
-    /// A side after a corner of this angle, rad, that the control takes as straight on: the side does not end where it should.
+    /// A side after a corner of this angle, rad, that the control takes as straight on: the side does not end where it
+    /// should.
     Straight(f64),
     /// A line onto or off the contour of this length, mm.
     Line(f64),
@@ -41,12 +42,13 @@ pub(crate) enum NoFit {
 pub(crate) struct FittedSide {
     side: ContourSide,
     lost: f64,
-    /// Corner before it that the control takes as straight on, and length of the path by which the control begins it late.
+    /// Corner before it that the control takes as straight on, and length of the path by which the control begins it
+    /// late.
     straight: Option<(f64, f64)>,
 }
 
-/// The tool, and the corners that its control takes as straight on: the largest one, and the angle by which an arc after one may
-/// become longer, rad; 0 where it takes none.
+/// The tool, and the corners that its control takes as straight on: the largest one, and the angle by which an arc
+/// after one may become longer, rad; 0 where it takes none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct FitTool {
     pub(crate) radius: f64,
@@ -158,7 +160,8 @@ impl FittedSide {
         if left { angle } else { -angle }
     }
 
-    /// What the path of the centre along this side and along the next one loses at their corner; `None` if it has no place there.
+    /// What the path of the centre along this side and along the next one loses at their corner; `None` if it has no
+    /// place there.
     fn losses(&self, next: &ContourSide, radius: f64, left: bool) -> Option<[f64; 2]> {
         let turn = self.turn(next, left);
         if turn <= STRAIGHT_ON || turn >= PI - STRAIGHT_ON {
@@ -249,7 +252,8 @@ mod tests {
 
     #[test]
     fn a_line_and_an_arc_lose_what_the_tool_cannot_reach() {
-        // The centre of the tool is 1 above the line, and 3 from the centre of an arc with a radius of 4, which is 3 above it.
+        // The centre of the tool is 1 above the line, and 3 from the centre of an arc with a radius of 4, which is 3
+        // above it.
         let [lost_line, lost_arc] = line_and_round(4.0, 0.75_f64.acos(), 1.0).expect("it fits");
         assert!((lost_line - (7.0_f64.sqrt() - 5.0_f64.sqrt())).abs() < 1e-12, "{lost_line}");
         assert!((lost_arc - 3.0 * ((2.0_f64 / 3.0).acos() - 0.75_f64.acos())).abs() < 1e-12, "{lost_arc}");
@@ -258,7 +262,8 @@ mod tests {
 
     #[test]
     fn two_arcs_lose_what_the_tool_cannot_reach() {
-        // Both arcs have a radius of 5 and their centres 6 apart: the corner is 4 above the middle, the tool sqrt 7 of it.
+        // Both arcs have a radius of 5 and their centres 6 apart: the corner is 4 above the middle, the tool sqrt 7 of
+        // it.
         let lost = rounds([5.0, 5.0], 6.0, 1.0).expect("it fits");
         let expected = 4.0 * (0.6_f64.acos() - 0.75_f64.acos());
         assert!(lost.iter().all(|lost| (lost - expected).abs() < 1e-12), "{lost:?} {expected}");

@@ -1,7 +1,7 @@
 //! What a reader makes of a program: one [`Block`] after the other, each with the state in which it acts.
 //!
-//! Lengths are mm and angles rad, whatever the unit of the program; levels and centres count as the words of the program
-//! do. Nothing in here knows a machine or CL data.
+//! Lengths are mm and angles rad, whatever the unit of the program; levels and centres count as the words of the
+//! program do. Nothing in here knows a machine or CL data.
 
 use super::state::MAX_AXES;
 use crate::program::{Rotation, Units};
@@ -50,7 +50,8 @@ pub struct Guard {
     pub stops: bool,
 }
 
-/// A guard of rotary positions: the program stops where the sum of |sin(d/2)| over the differences d of its axes is larger.
+/// A guard of rotary positions: the program stops where the sum of |sin(d/2)| over the differences d of its axes is
+/// larger.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RotaryGuard {
     /// Axis by its position in the chain, and the position with which it compares, rad.
@@ -173,7 +174,7 @@ pub enum OwnPlace {
     },
     /// Text of INSERT, AUXFUN, PREFUN, or of a statement of the shop.
     Insert,
-    /// The same, and a code in it that is declared "none" is not confirmed to be harmless.
+    /// Such a text with a code that is declared "none" and not confirmed to be harmless.
     Unconfirmed,
 }
 
@@ -213,7 +214,8 @@ pub struct OwnLine {
     pub places: Vec<OwnPlace>,
     /// Strongest effect that `[control] effects` declares for it.
     pub effect: Option<Effect>,
-    /// Before it the machine retracts and the spindle stops: one of its effects is that of a clamp, a chuck, a door or a pallet.
+    /// Before it the machine retracts and the spindle stops: one of its effects is that of a clamp, a chuck, a door or
+    /// a pallet.
     pub needs_standstill: bool,
     /// Values of its fields.
     pub values: OwnValues,
@@ -278,7 +280,7 @@ pub enum CycleKind {
     ChipBreak(f64),
     /// G84: a thread, mm per turn, + right-hand; synchronised.
     Tap(f64),
-    /// The same, not synchronised: the pitch is that of F and S.
+    /// G84, not synchronised: the pitch is that of F and S.
     FloatingTap(f64),
     /// G86: in at feed, out with the spindle off.
     Bore,
@@ -459,7 +461,8 @@ pub struct BlockFault {
     pub text: String,
 }
 
-/// Guards that end with a block: each compares the control with what was posted, and stops the program where they differ.
+/// Guards that end with a block: each compares the control with what was posted, and stops the program where they
+/// differ.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct EndedGuards {
     /// Of the tool length.
@@ -495,11 +498,11 @@ pub struct Block {
     pub known_before: u16,
     /// Axes whose words stand in the block.
     pub written: u16,
-    /// Blocks that the look-ahead of the control takes it for where it moves nothing: none is a comment alone, and what stops the
-    /// look-ahead ends it.
+    /// Blocks that the look-ahead of the control takes it for where it moves nothing: none is a comment alone, and what
+    /// stops the look-ahead ends it.
     pub looked_over: u8,
-    /// Its words are those of axes, of the centre of an arc, F and N alone, without a declared effect. All modes are those of the
-    /// block before, unless blocks that may be skipped end here.
+    /// Its words are those of axes, of the centre of an arc, F and N alone, without a declared effect. All modes are
+    /// those of the block before, unless blocks that may be skipped end here.
     pub only_moves: bool,
     /// A complete state begins here: the block names the unit, or a line of the shop takes its place.
     pub restart: bool,
@@ -515,8 +518,8 @@ pub struct Block {
     pub own: Option<OwnLine>,
     /// What is wrong with it.
     pub faults: Vec<BlockFault>,
-    /// Number of faults, the first ones, that the text of the block does not explain: its number, an incomplete cycle before
-    /// it.
+    /// Number of faults, the first ones, that the text of the block does not explain: its number, an incomplete cycle
+    /// before it.
     pub frame_faults: usize,
 }
 

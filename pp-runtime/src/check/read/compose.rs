@@ -1,5 +1,5 @@
-//! Words and codes of a line into orders: each code takes the words of its row, the motion takes the rest, and what is left is a
-//! fault at its column.
+//! Words and codes of a line into orders: each code takes the words of its row, the motion takes the rest, and what is
+//! left is a fault at its column.
 //!
 //! | word | with | means |
 //! |---|---|---|
@@ -238,8 +238,8 @@ impl Line<'_> {
         }
     }
 
-    /// The kinds of coolant that a code of the control switches on this machine: not those that have another code in the
-    /// configuration, or on a control of one's own. A code that has none is a fault.
+    /// The kinds of coolant that a code of the control switches on this machine: not those that have another code in
+    /// the configuration, or on a control of one's own. A code that has none is a fault.
     fn kinds_of(&mut self, kinds: u8, on: bool, code: u32, (column, end): (usize, usize)) -> u8 {
         let own = self.vocabulary().switches().filter(|own| own.place == OwnPlace::Coolant);
         let (mut left, mut instead) = (kinds, None);
@@ -554,8 +554,8 @@ impl Line<'_> {
         }
     }
 
-    /// Words of a canned cycle, in the block that begins it or in a later one. Every block with one of its words, or with an
-    /// axis word, drills.
+    /// Words of a canned cycle, in the block that begins it or in a later one. Every block with one of its words, or
+    /// with an axis word, drills.
     fn canned(&mut self, asked: &Asked, takes: Letters) -> Option<CannedWords> {
         let reference = self.words.take_letter(b'R', takes);
         let step = self.words.take_letter(b'Q', takes);

@@ -1,5 +1,5 @@
-//! Texts whose effect the user declares. A declared effect is for what the control's own language does not have: a code, a word or a
-//! statement of it does what the control does, whatever is declared.
+//! Texts whose effect the user declares. A declared effect is for what the control's own language does not have: a
+//! code, a word or a statement of it does what the control does, whatever is declared.
 
 use super::block::Effect;
 use super::facts::LineForm;

@@ -62,7 +62,8 @@ pub(crate) enum PoseSelector {
     Higher,
 }
 
-/// A state that a program before, a screen of the control or the operator may have left, and that must be ended before a motion.
+/// A state that a program before, a screen of the control or the operator may have left, and that must be ended before
+/// a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct LeftOver {
     /// Bit of [`settled`].
@@ -171,7 +172,7 @@ const HEIDENHAIN_LEFT: &[LeftOver] = &[
 pub(crate) enum LineForm {
     /// Letters and numbers.
     Letters,
-    /// The same, and keywords and calls.
+    /// Letters and numbers, keywords and calls.
     Keywords,
     /// Numbered lines, each a statement.
     Statements,
@@ -196,8 +197,8 @@ pub(crate) struct Facts {
     pub(crate) radius_delta: bool,
     /// Cutter compensation takes the radius of the active edge, which a guard compares.
     pub(crate) radius_guard: bool,
-    /// Largest corner that is straight on for cutter compensation, and angle by which an arc after one may become longer in a
-    /// program in millimetres and in one in inches, rad. Otherwise the program stops.
+    /// Largest corner that is straight on for cutter compensation, and angle by which an arc after one may become
+    /// longer in a program in millimetres and in one in inches, rad. Otherwise the program stops.
     pub(crate) straight_corners: Option<[f64; 3]>,
     /// Most blocks without a motion between two motions of a compensated contour.
     pub(crate) idle_in_contour: Option<u8>,
@@ -257,7 +258,8 @@ pub(crate) struct Facts {
     pub(crate) names_are_messages: bool,
     /// Programs have a number, which begins them.
     pub(crate) program_numbers: bool,
-    /// A motion code is executed in its own block, without axis words as well, and compensation is not switched on twice.
+    /// A motion code is executed in its own block, without axis words as well, and compensation is not switched on
+    /// twice.
     pub(crate) motion_codes_execute: bool,
     /// A code of the feed mode clears F, the same mode as well.
     pub(crate) feed_mode_clears_feed: bool,
@@ -384,12 +386,12 @@ impl Family {
     /// The properties of the family.
     pub(crate) const fn facts(self) -> Facts {
         match self {
-            // M7, M8 and M9 are one group: interp_array.cc, _ems. G43 H0 is the length of the tool in the spindle, or that of
-            // tool 0: G-code documentation, G43. G0 and G28 in one block are two codes that use axis words: interp_check.cc. N is read as any
-            // number: interp_read.cc, read_n_number. Motion codes, feed modes, compensation: interp_convert.cc.
+            // M7, M8 and M9 are one group: interp_array.cc, _ems. G43 H0 is the length of the tool in the spindle, or
+            // of tool 0: G-code documentation, G43. G0 and G28 in one block both use axis words: interp_check.cc. N is
+            // any number: interp_read.cc, read_n_number. Motion codes, feed modes, compensation: interp_convert.cc.
             Self::LinuxCnc => Facts {
-                // interp_convert.cc, convert_straight_comp2 and convert_arc_comp2: TOLERANCE_CONCAVE_CORNER. interp_queue.cc: an
-                // arc that is longer than it was; 0.0254 and 0.001 are measured.
+                // interp_convert.cc, convert_straight_comp2 and convert_arc_comp2: TOLERANCE_CONCAVE_CORNER.
+                // interp_queue.cc: an arc that is longer than it was; 0.0254 and 0.001 are measured.
                 straight_corners: Some([0.05, 0.0254, 0.001]),
                 // interp_cycles.cc, convert_cycle.
                 cycle_takes_rotary: false,
@@ -424,8 +426,8 @@ impl Family {
                 offset_guard: true,
                 ..ISO
             },
-            // P of a dwell has no decimal point: B-63944EN/02 (2004), dwell. Up to three M codes only with parameter 3404#7:
-            // auxiliary functions.
+            // P of a dwell has no decimal point: B-63944EN/02 (2004), dwell. Up to three M codes only with parameter
+            // 3404#7: auxiliary functions.
             Self::Fanuc => Facts {
                 tool_axis_interpolation: true,
                 tip_control_has_form: true,
@@ -438,7 +440,7 @@ impl Family {
                 left_over: FANUC_LEFT,
                 ..ISO
             },
-            // One M code in a block (from memory). Mill manual 96-8000: #2000+H and #2200+H for H1 to H200; G187 P1 rough, P2 medium, P3 finish.
+            // One M code in a block (from memory). 96-8000: #2000+H, #2200+H, H1 to 200; G187 P1 rough to P3 finish.
             Self::Haas => Facts {
                 one_m_code: true,
                 // As Fanuc, from memory.

@@ -29,8 +29,8 @@ impl EulerWords {
 
     /// G268: I J K turn about X Y Z of the work offset, which stay where they are; the digits of Q say in which order.
     ///
-    /// As posts use it: FreeCAD's for the Haas next generation control writes `Q123` with spatial angles about the fixed
-    /// axes. No worked example of the manufacturer is known here.
+    /// As posts use it: FreeCAD's for the Haas next generation control writes `Q123` with spatial angles about the
+    /// fixed axes. No worked example of the manufacturer is known here.
     pub(super) fn haas(&self) -> Option<Matrix3<f64>> {
         let order = self.order?;
         let digits = [order / 100, order / 10 % 10, order % 10];

@@ -12,8 +12,8 @@ use crate::program::Units;
 
 /// A line on its way into orders.
 ///
-/// Vocabulary, language and machine live as long as the program and are only asked; place, words, orders and faults as long as
-/// the line. What a family has to remember from one line to the next is in its own reader.
+/// Vocabulary, language and machine live as long as the program and are only asked; place, words, orders and faults as
+/// long as the line. What a family has to remember from one line to the next is in its own reader.
 #[derive(Debug)]
 pub(super) struct Line<'a> {
     vocabulary: &'a Vocabulary,
@@ -123,7 +123,8 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// Adds a code by its letter and number, which has been read from a column on; `false` if the table does not have it.
+    /// Adds a code by its letter and number, which has been read from a column on; `false` if the table does not have
+    /// it.
     pub(super) fn code(&mut self, letter: u8, number: Number, column: usize) -> bool {
         let Some(number) = tenths(number) else { return false };
         let Some(row) = self.language.code(letter, number) else { return false };
@@ -159,7 +160,7 @@ impl<'a> Line<'a> {
         self.orders.units().or(self.machine.state().units)
     }
 
-    /// The same, mm.
+    /// The unit in which the line counts, mm; 1 where it is unknown.
     pub(super) fn unit(&self) -> f64 {
         self.units().map_or(1.0, Units::in_mm)
     }

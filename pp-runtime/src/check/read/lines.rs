@@ -1,5 +1,5 @@
-//! Lines of a program, read piece by piece. From the first statement on that may lead back to a line they are kept, as many as
-//! a long loop has.
+//! Lines of a program, read piece by piece. From the first statement on that may lead back to a line they are kept, as
+//! many as a long loop has.
 
 use std::io;
 

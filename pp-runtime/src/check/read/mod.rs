@@ -1,8 +1,8 @@
 //! Programs read back: text into what each block does, and the state in which it does so.
 //!
 //! Written from what controls do, independent of what writes programs: no table is shared with `control`. A program is
-//! read as it streams by, and nothing is allocated for a block unless something is wrong with it. What is not known is a
-//! fault of its block, never passed over.
+//! read as it streams by, and nothing is allocated for a block unless something is wrong with it. What is not known is
+//! a fault of its block, never passed over.
 //!
 //! ```
 //! use pp_runtime::check::{blocks, read::Action};
@@ -246,7 +246,7 @@ impl<P: TextPieces> Reader<P> {
         Self::with(input, Arc::new(own::prepare(vocabulary)))
     }
 
-    /// The same with a vocabulary whose lines can be found already.
+    /// A reader with a vocabulary whose lines can be found already.
     fn with(input: P, vocabulary: Arc<Vocabulary>) -> Self {
         let facts = vocabulary.family.facts();
         let own_retract = vocabulary.own.iter().any(|own| matches!(own.place, OwnPlace::Retract { .. }));
@@ -277,7 +277,8 @@ impl<P: TextPieces> Reader<P> {
         }
     }
 
-    /// The next act of the line at hand, or else of the next line that is more than a comment; and the text of the line.
+    /// The next act of the line at hand, or else of the next line that is more than a comment; and the text of the
+    /// line.
     pub(crate) fn next_block(&mut self) -> io::Result<Option<(&Block, &[u8])>> {
         self.step += 1;
         if self.step <= self.orders.acts.len() && self.machine.go_on(&self.orders, self.step, &mut self.block) {
@@ -291,8 +292,8 @@ impl<P: TextPieces> Reader<P> {
         Ok(None)
     }
 
-    /// Reads and executes the next line; whether it is more than a comment, `None` after the last one. A function of its own, so
-    /// that nothing is prepared for more lines than one.
+    /// Reads and executes the next line; whether it is more than a comment, `None` after the last one. A function of
+    /// its own, so that nothing is prepared for more lines than one.
     #[inline(never)]
     fn execute_line(&mut self) -> io::Result<Option<bool>> {
         let begins = self.lines.number() == 0;
@@ -381,8 +382,8 @@ impl<P: TextPieces> Reader<P> {
         self.lines.number()
     }
 
-    /// Takes away what an editor may put in front of the first block; the encoding that it stands for. No control is known
-    /// that reads past it: the first block is refused there, or is no program number any more.
+    /// Takes away what an editor may put in front of the first block; the encoding that it stands for. No control is
+    /// known that reads past it: the first block is refused there, or is no program number any more.
     fn byte_order_mark(&mut self) -> Option<&'static str> {
         let (mark, encoding) = MARKS.into_iter().find(|(mark, _)| self.line.starts_with(mark))?;
         self.line.drain(..mark.len());

@@ -48,7 +48,7 @@ pub(super) enum LengthCode {
     On,
     /// Tip control with the register of the block.
     TipControl,
-    /// The same, I J K being the tool axis.
+    /// Tip control with the register of the block, I J K being the tool axis.
     TipVector,
 }
 

@@ -318,7 +318,8 @@ pub(super) fn switch(text: &[u8], line: &mut Line<'_>) -> bool {
     found
 }
 
-/// The tool that a value of `{tool}` calls: `5`, `"MILL 10"`, `="MILL 10"`. `None` if it is no tool of the configuration.
+/// The tool that a value of `{tool}` calls: `5`, `"MILL 10"`, `="MILL 10"`. `None` if it is no tool of the
+/// configuration.
 fn called_tool(called: &[u8], line: &mut Line<'_>) -> Option<u32> {
     let value = called.strip_prefix(b"=").unwrap_or(called);
     let name = value.strip_prefix(b"\"").and_then(|name| name.strip_suffix(b"\""));
@@ -486,7 +487,8 @@ pub(crate) fn is_read(line: &[u8], vocabulary: &Vocabulary) -> bool {
     reader.next_block().is_ok() && !reader.orders.unknown
 }
 
-/// Whether a line is one of the configuration, with values for its fields; `is_tool`: whether a tool can be that of the line.
+/// Whether a line is one of the configuration, with values for its fields; `is_tool`: whether a tool can be that of the
+/// line.
 pub(crate) fn is_filled(template: &str, line: &[u8], is_tool: impl Fn(&[u8]) -> bool) -> bool {
     filled(template.trim().as_bytes(), line)
         .is_some_and(|filled| [filled.tool, filled.tool_number].into_iter().flatten().all(is_tool))
@@ -516,8 +518,8 @@ struct PlacedLine {
 }
 
 impl PlacedLines {
-    /// The lines of a vocabulary that every program must have. A comment is no block, and where no word of a line is without
-    /// a field, or no tool may follow, it may be left out.
+    /// The lines of a vocabulary that every program must have. A comment is no block, and where no word of a line is
+    /// without a field, or no tool may follow, it may be left out.
     pub(crate) fn of(vocabulary: Vocabulary) -> Self {
         let vocabulary = Arc::new(prepare(vocabulary));
         let facts = vocabulary.family.facts();
@@ -556,7 +558,8 @@ impl PlacedLines {
         Self { lines, by_text, facts, bare: Bare::default(), tools: 0 }
     }
 
-    /// Whether a line that the program has taken has come more often than the configuration has it. Lines of safety may come again.
+    /// Whether a line that the program has taken has come more often than the configuration has it. Lines of safety may
+    /// come again.
     pub(crate) fn comes_too_often(&mut self, line: &[u8]) -> bool {
         self.bare.forget();
         let text = self.bare.text(line, &self.facts);
@@ -594,7 +597,8 @@ impl PlacedLines {
         self.tools += 1;
     }
 
-    /// Takes a line of the program that comes with this tool in the spindle. Returns whether it is one of other tools alone.
+    /// Takes a line of the program that comes with this tool in the spindle. Returns whether it is one of other tools
+    /// alone.
     pub(crate) fn note(&mut self, line: &[u8], tool: Option<u32>) -> bool {
         if self.lines.is_empty() {
             return false;
@@ -729,7 +733,7 @@ fn filled<'a>(template: &[u8], line: &'a [u8]) -> Option<Filled<'a>> {
     None
 }
 
-/// The same for a word of a template.
+/// The values of fields in a word; `None` if it is not that of the template.
 fn filled_word<'a>(word: &[u8], text: &'a [u8]) -> Option<Filled<'a>> {
     let Some(open) = word.iter().position(|byte| *byte == b'{') else {
         return (word == text).then(Filled::default);

@@ -217,8 +217,8 @@ pub mod stated {
     pub const TOOL: u8 = 64;
 }
 
-/// What a program before may have left in force, and the code that ends it: bits of what the program has settled since its last
-/// motion before the complete state.
+/// What a program before may have left in force, and the code that ends it: bits of what the program has settled since
+/// its last motion before the complete state.
 pub(in crate::check) mod settled {
     /// Cutter compensation.
     pub(crate) const SIDE: u32 = 1;
@@ -311,8 +311,8 @@ pub struct State {
     pub tilt: Option<Tilt>,
     /// Dynamic work offset: the zero of the words has moved with the table.
     pub dynamic_offset: bool,
-    /// G98: cycles return to the level before them; G99: to their own level. `None` where neither has been programmed since
-    /// the complete state.
+    /// G98: cycles return to the level before them; G99: to their own level. `None` where neither has been programmed
+    /// since the complete state.
     pub to_initial: Option<bool>,
     /// Rotary words name the nearest such angle.
     pub shortest: bool,

@@ -20,7 +20,8 @@ pub(super) struct Cursor<'a> {
     rest: &'a [u8],
 }
 
-/// End of a line that goes on in the next one, after its mark `~`: no line holds it. The mark is blank while a line is read.
+/// End of a line that goes on in the next one, after its mark `~`: no line holds it. The mark is blank while a line is
+/// read.
 pub(super) const GOES_ON: u8 = b'\n';
 
 /// Marks of lines that go on in the next one.
@@ -202,7 +203,7 @@ impl<'a> Cursor<'a> {
         self.signed(|at, text| at.short_digits(text).filter(|digits| !goes_on(digits)).or_else(|| long_digits(text)))
     }
 
-    /// The same for a number of no more than eight bytes after its sign, as nearly every one is. It is one if neither a digit
+    /// Takes a number of no more than eight bytes after its sign, as nearly every one is. It is one if neither a digit
     /// nor a point comes next.
     #[inline(always)]
     pub(super) fn short_number(&mut self) -> Option<Number> {
@@ -223,8 +224,8 @@ impl<'a> Cursor<'a> {
         Some(Number { value: if negative { -value } else { value }, point, negative })
     }
 
-    /// Digits and a point at the start of the rest of the line, if they are no more than eight bytes with another byte among or
-    /// after them: all of them are found at once. `None` for any other text.
+    /// Digits and a point at the start of the rest of the line, if they are no more than eight bytes with another byte
+    /// among or after them: all of them are found at once. `None` for any other text.
     #[inline(always)]
     fn short_digits(&self, text: &'a [u8]) -> Option<Digits<'a>> {
         let bytes = self.eight(text)? ^ ZEROS;
@@ -253,7 +254,8 @@ impl<'a> Cursor<'a> {
         Some(Digits { mantissa, point, decimals, after })
     }
 
-    /// The first eight bytes of the rest of the line, the first one lowest, and zeros after its end; `None` in a shorter line.
+    /// The first eight bytes of the rest of the line, the first one lowest, and zeros after its end; `None` in a
+    /// shorter line.
     #[inline]
     fn eight(&self, text: &[u8]) -> Option<u64> {
         match text.first_chunk() {
@@ -308,7 +310,8 @@ struct Digits<'a> {
 /// Eight digits 0; the others differ from these bits by their values.
 const ZEROS: u64 = 0x3030_3030_3030_3030;
 
-/// The high bits of the bytes that are no values of digits. The first two are right if the first one is that of a point.
+/// The high bits of the bytes that are no values of digits. The first two are right if the first one is that of a
+/// point.
 #[inline]
 fn no_digits(bytes: u64) -> u64 {
     const HIGH_BITS: u64 = 0x8080_8080_8080_8080;
@@ -360,7 +363,7 @@ mod tests {
         Some((value.to_bits(), point, negative, at.column()))
     }
 
-    /// The same by the standard library.
+    /// Number at the start of a text, and its end, by the standard library.
     fn expected(text: &[u8]) -> Option<(u64, bool, bool, usize)> {
         let text = std::str::from_utf8(text).expect("ASCII");
         let rest = text.strip_prefix(['-', '+']).unwrap_or(text);

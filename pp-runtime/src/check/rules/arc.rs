@@ -1,6 +1,6 @@
 //! Blocks along an arc in which the rotary axes rest. There tip and axis values are affine functions of the linear
-//! words: what these do along a circle, those do along an ellipse. The deviation is measured at points, unless the bound of
-//! one arc about another decides ([`ArcPath::farthest`]).
+//! words: what these do along a circle, those do along an ellipse. The deviation is measured at points, unless the
+//! bound of one arc about another decides ([`ArcPath::farthest`]).
 
 use std::f64::consts::PI;
 
@@ -9,9 +9,9 @@ use super::super::read::{Action, ArcMove, MAX_AXES, State};
 use super::fit::{BlockPath, Deviation, DeviationBound, off_arc};
 use super::{MachineWords, Rules};
 
-/// Largest angle of an arc between points that are compared, rad, unless there were more points than this. The distance from an arc
-/// near to it has one wave or two in a turn, so that between two points it is hardly larger than at them. Of arcs with the same ends
-/// it is largest in the middle: the number of points is odd.
+/// Largest angle of an arc between points that are compared, rad, unless there were more points than this. The distance
+/// from an arc near to it has one wave or two in a turn, so that between two points it is hardly larger than at them.
+/// Of arcs with the same ends it is largest in the middle: the number of points is odd.
 const STEP: f64 = 0.1;
 const MOST_POINTS: f64 = 3999.0;
 
@@ -86,8 +86,9 @@ impl RoundTip {
 }
 
 impl Rules<'_> {
-    /// Largest speeds of the axes along an arc, times its time, mm and rad: with `p` and `q` the shifts of an axis from the centre to
-    /// the start and to a quarter turn after it, its speed is `q cos a - p sin a` and its share of the rise.
+    /// Largest speeds of the axes along an arc, times its time, mm and rad: with `p` and `q` the shifts of an axis from
+    /// the centre to the start and to a quarter turn after it, its speed is `q cos a - p sin a` and its share of the
+    /// rise.
     pub(super) fn fastest_on_arc(&self, arc: &WordsAlongArc, state: &State) -> Option<[f64; MAX_AXES]> {
         let WordsAlongArc { middle, start, quarter, end, sweep } = arc;
         let axes = |words: &[f64; MAX_AXES]| self.words.axes(words, state);
@@ -134,8 +135,8 @@ impl Rules<'_> {
         Some(Deviation { tip_mm, ..Deviation::default() })
     }
 
-    /// Bound of the deviation of a block from an arc, between its ends; `None` where it rotates, goes along no arc, or along one
-    /// far from this.
+    /// Bound of the deviation of a block from an arc, between its ends; `None` where it rotates, goes along no arc, or
+    /// along one far from this.
     pub(crate) fn arc_bound(&self, path: &BlockPath<'_>, arc: &ArcPath, along: f64) -> Option<DeviationBound> {
         if self.words.rotary_travel(&path.before, &path.block.values) > 0.0 {
             return None;

@@ -1,9 +1,10 @@
 //! F that a feed block must have.
 //!
-//! The tip keeps the programmed feed: the time of a block is the length of its tip path over the feed. Where the axes lead the
-//! tip unevenly, it is nowhere faster than programmed by more than a hundredth. The time is longer only where an axis would
-//! be faster than it can, or the control has a largest F or a shortest block. Where no rotary word changes and the linear axes
-//! are perpendicular F is the feed of the tip; elsewhere it applies to the control's own path.
+//! The tip keeps the programmed feed: the time of a block is the length of its tip path over the feed. Where the axes
+//! lead the tip unevenly, it is nowhere faster than programmed by more than a hundredth. The time is longer only where
+//! an axis would be faster than it can, or the control has a largest F or a shortest block. Where no rotary word
+//! changes and the linear axes are perpendicular F is the feed of the tip; elsewhere it applies to the control's own
+//! path.
 
 use std::f64::consts::TAU;
 
@@ -33,15 +34,15 @@ pub(crate) struct Stroke {
     pub(crate) perpendicular: bool,
     /// Change of the axis values, mm and rad.
     pub(crate) change: [f64; MAX_AXES],
-    /// Largest speeds of the axes within the block, times its time, where the axes do not move evenly and the control does not
-    /// slow down for them.
+    /// Largest speeds of the axes within the block, times its time, where the axes do not move evenly and the control
+    /// does not slow down for them.
     pub(crate) uneven: Option<Box<[f64; MAX_AXES]>>,
     pub(crate) feed: Option<Feed>,
     pub(crate) speed_rev_per_min: Option<f64>,
 }
 
 impl Stroke {
-    /// The same with the speed of the tip in the block, where that is measured.
+    /// This stroke with the speed of the tip in the block, where that is measured.
     pub(crate) fn with_tip_rate(self, deviation: Option<&Deviation>, required: &Required) -> Self {
         let rate_mm = deviation.map_or(0.0, |found| found.tip_rate_mm);
         if rate_mm > 0.0 { Self { tip_rate_mm: tip_rates(rate_mm, required), ..self } } else { self }
@@ -316,8 +317,8 @@ impl FeedLaw {
         }
     }
 
-    /// Shortest and longest tip path that rounded ends may show. Where the axes move much farther than the tip, the rounding
-    /// of the tool axis moves its ends, too.
+    /// Shortest and longest tip path that rounded ends may show. Where the axes move much farther than the tip, the
+    /// rounding of the tool axis moves its ends, too.
     fn lengths(&self, stroke: &Stroke, extent: &PathExtent) -> (f64, f64) {
         let rotates = self.rotates(extent);
         let lever = rotates && extent.linear_mm > LEVER * stroke.length_mm;
@@ -369,10 +370,10 @@ impl FeedLaw {
         beyond <= 0.0 || beyond <= high * F_NOISE + self.step(mode, high)
     }
 
-    /// Whether F is between that of the longest tip path and that of the shortest, the axes moving as their words show: both are
-    /// within [`bounds`](Self::bounds), so that it is right. `tip_rates_mm`: speeds of the tip times the time of the block, slow and
-    /// fast, both within what is allowed for the one that is measured; the second is 0 where nothing is known of it. Nothing is
-    /// decided where rounding of anything but the length may change the rule.
+    /// Whether F is between that of the longest tip path and that of the shortest, the axes moving as their words show:
+    /// both are within [`bounds`](Self::bounds), so that it is right. `tip_rates_mm`: speeds of the tip times the time
+    /// of the block, slow and fast, both within what is allowed for the one that is measured; the second is 0 where
+    /// nothing is known of it. Nothing is decided where rounding of anything but the length may change the rule.
     pub(crate) fn is_plainly_right(&self, stroke: &Stroke, state: &State, tip_rates_mm: [f64; 2]) -> bool {
         let (Some(programmed), Some(written)) = (Self::programmed(stroke), state.feed) else { return false };
         let extent = self.extent(stroke);
@@ -413,8 +414,8 @@ impl FeedLaw {
         self.lengths(stroke, &self.extent(stroke)).1 >= self.unit_mm
     }
 
-    /// Where only the tool axis rotates, and the rotation of the rotary axes is unknown: degrees a minute, at most those of
-    /// all rotary axes together.
+    /// Where only the tool axis rotates, and the rotation of the rotary axes is unknown: degrees a minute, at most
+    /// those of all rotary axes together.
     pub(crate) fn wrong_on_the_spot(&self, state: &State) -> Option<String> {
         let largest = self.reorient_rad_per_min.to_degrees() * f64::from(self.rotary_bits.count_ones()).sqrt();
         let feed = state.feed.unwrap_or(0.0);
@@ -427,11 +428,12 @@ impl FeedLaw {
         })
     }
 
-    /// Where axis speeds may hold a block back, and the control finds the rotary angles: F is at most the feed of the tip.
+    /// Where axis speeds may hold a block back, and the control finds the rotary angles: F is at most the feed of the
+    /// tip.
     ///
-    /// `changes`: `None` where the tool axis is held; then the block is no slower than the slowest linear axis. Else how far the
-    /// axes move in each position that they may have; empty where that is unknown, and any lower F is right. Asked only for an F
-    /// that needs it.
+    /// `changes`: `None` where the tool axis is held; then the block is no slower than the slowest linear axis. Else
+    /// how far the axes move in each position that they may have; empty where that is unknown, and any lower F is
+    /// right. Asked only for an F that needs it.
     pub(crate) fn wrong_within(
         &self,
         stroke: &Stroke,
@@ -509,15 +511,16 @@ impl FeedLaw {
 
 /// The largest power of ten, as its exponent, that is not above a number.
 fn decade(value: f64) -> i32 {
-    // The factor is log10(2) times 2^32, exact enough for every exponent; by the binary exponent alone the decade may be one short.
+    // The factor is log10(2) times 2^32, exact enough for every exponent; by the binary exponent alone the decade may
+    // be one short.
     let binary = (value.abs().to_bits() >> 52) as i64 - 1023;
     let below = ((binary * 1_292_913_986) >> 32) as i32;
     if value.abs() >= 10_f64.powi(below + 1) { below + 1 } else { below }
 }
 
-/// Whether the linear axes are perpendicular to each other wherever the rotary axes are: the path of the words is as long as that
-/// of the tip. By each angle of a rotary axis between two of them their product is `a + b cos θ + c sin θ`: it is zero everywhere
-/// if it is so at three angles.
+/// Whether the linear axes are perpendicular to each other wherever the rotary axes are: the path of the words is as
+/// long as that of the tip. By each angle of a rotary axis between two of them their product is
+/// `a + b cos θ + c sin θ`: it is zero everywhere if it is so at three angles.
 pub(super) fn is_perpendicular(machine: &dyn AnyMachine) -> bool {
     let axes = machine.axes();
     let linear =

@@ -136,12 +136,13 @@ impl Rules<'_> {
         here.is_some_and(|here| self.is_near(here, &segment.to, [times, 1.0]))
     }
 
-    /// The same for a motion of which only the end is known: no path allows more.
+    /// Whether a motion of which only the end is known may need no block: no path allows more.
     pub(crate) fn may_need_no_block(&self, here: &ToolPose, to: &ToolPose, chords: f64) -> bool {
         self.is_near(here, to, [drift(chords), 1.0])
     }
 
-    /// Share of a motion that is done when a block ends at `end`; `None` if it ends elsewhere. `rapid`: it is one in the CL data.
+    /// Share of a motion that is done when a block ends at `end`; `None` if it ends elsewhere. `rapid`: it is one in
+    /// the CL data.
     pub(crate) fn share_done(
         &self,
         segment: &Segment,
@@ -243,17 +244,18 @@ impl Rules<'_> {
         self.policy.tolerances.axis_path_rad.min(CONTROL_CHOOSES_NEAR_POLE)
     }
 
-    /// Whether blocks with tool vectors may lead a motion through a pole that it passes closely: only there the rotary angles that
-    /// the control finds do not depend on its interpolation. Their points after the pole are on the path from there to its end. A
-    /// point of the motion is the pole, too, where the angles of the point are those of the pole in the units of the program.
+    /// Whether blocks with tool vectors may lead a motion through a pole that it passes closely: only there the rotary
+    /// angles that the control finds do not depend on its interpolation. Their points after the pole are on the path
+    /// from there to its end. A point of the motion is the pole, too, where the angles of the point are those of the
+    /// pole in the units of the program.
     fn is_led_through_pole(&self, segment: &Segment, block: &Block) -> bool {
         let largest_rad = self.largest_bend_rad() + self.rounding.axis_rad;
         let passes = |pole: &Vector3<f64>| segment.axis_arc().is_within(pole, largest_rad);
         block.state.vector.is_some() && self.pole.is_some_and(|pole| passes(&pole) || passes(&-pole))
     }
 
-    /// Share of a motion that is done where the rotary axes rotate past the pole with the tip where it is: the tool axis keeps to
-    /// its tolerance only.
+    /// Share of a motion that is done where the rotary axes rotate past the pole with the tip where it is: the tool
+    /// axis keeps to its tolerance only.
     fn rotated_on_spot(&self, segment: &Segment, block: &Block, end: &ToolPose, arrival: &Arrival<'_>) -> Option<f64> {
         let tip_mm = 2.0 * self.rounding.tip_mm;
         let rests = |here: &ToolPose| (here.tip - end.tip).norm() <= tip_mm;
@@ -265,7 +267,8 @@ impl Rules<'_> {
         if segment.axis_arc().distance(&end.axis) > largest_rad {
             return None;
         }
-        // On its way around the pole the tool axis may be ahead of the tip, which rests where the last block has left it.
+        // On its way around the pole the tool axis may be ahead of the tip, which rests where the last block has left
+        // it.
         let by_tip = segment.share(end, arrival.along, self.rounding.tip_mm, 0.0).clamp(arrival.along, 1.0);
         // The share that was done has the rounding of the block before, too.
         let near = [(arrival.along, tip_mm + self.rounding.tip_mm), (by_tip, tip_mm)];
@@ -273,8 +276,8 @@ impl Rules<'_> {
         near.into_iter().find(is_near).map(|(share, _)| share)
     }
 
-    /// Share of a motion that is done where the rotary axes rotate evenly from the words before a block to the end of the
-    /// motion, and the tip is on its line.
+    /// Share of a motion that is done where the rotary axes rotate evenly from the words before a block to the end of
+    /// the motion, and the tip is on its line.
     fn evenly_done(
         &self,
         segment: &Segment,
@@ -382,14 +385,15 @@ impl Rules<'_> {
         (is_corner(here.tip) || is_corner(segment.from.tip)).then_some(0.0)
     }
 
-    /// Bounds of [`deviation`](Self::deviation) for a block whose words are axis positions, on a straight motion. `ends`: poses
-    /// with the words before and after it; `on`: those of the motion near to them. A bound for the tip of `enough_mm` or less
-    /// need not be the smallest: no point of a chord is farther from another than the farther of its ends.
+    /// Bounds of [`deviation`](Self::deviation) for a block whose words are axis positions, on a straight motion.
+    /// `ends`: poses with the words before and after it; `on`: those of the motion near to them. A bound for the tip of
+    /// `enough_mm` or less need not be the smallest: no point of a chord is farther from another than the farther of
+    /// its ends.
     ///
-    /// A point that moves from 0 to 1 with a second derivative `b` is never farther than `b/8` from its chord, and no faster than
-    /// the chord by more than `b/2`; the parabola through three steps of a quarter at most adds `7/24 b` to that. Along the chord
-    /// the distance from the motion is largest at the first or the last point that is compared. Angles are at most `π/2` chords
-    /// of unit vectors.
+    /// A point that moves from 0 to 1 with a second derivative `b` is never farther than `b/8` from its chord, and no
+    /// faster than the chord by more than `b/2`; the parabola through three steps of a quarter at most adds `7/24 b` to
+    /// that. Along the chord the distance from the motion is largest at the first or the last point that is compared.
+    /// Angles are at most `π/2` chords of unit vectors.
     pub(crate) fn deviation_bound(
         &self,
         [before, after]: [&[f64; MAX_AXES]; 2],
@@ -424,12 +428,14 @@ impl Rules<'_> {
         }
     }
 
-    /// Bounds of [`tip_rate_mm`](Deviation::tip_rate_mm), smallest and largest, for a block whose words are axis positions, on a
-    /// straight motion; `None` where no rotary axis rotates. `ends`: tool poses with the words before and after it.
+    /// Bounds of [`tip_rate_mm`](Deviation::tip_rate_mm), smallest and largest, for a block whose words are axis
+    /// positions, on a straight motion; `None` where no rotary axis rotates. `ends`: tool poses with the words before
+    /// and after it.
     ///
-    /// The mean of the speeds at the ends of a motion with a third derivative `b` is its chord but for `b/12`, so that the first is
-    /// known from the last but for `b/6`. No speed between them is larger than the larger one by more than `b/8`, and what the
-    /// parabola through three steps, each of a quarter or less, shows is the speed at the end but for `0.17 b`. The sum is `0.34 b`.
+    /// The mean of the speeds at the ends of a motion with a third derivative `b` is its chord but for `b/12`, so that
+    /// the first is known from the last but for `b/6`. No speed between them is larger than the larger one by more than
+    /// `b/8`, and what the parabola through three steps, each of a quarter or less, shows is the speed at the end but
+    /// for `0.17 b`. The sum is `0.34 b`.
     pub(crate) fn rates_by_ends(
         &self,
         [before, after]: [&[f64; MAX_AXES]; 2],
@@ -444,8 +450,8 @@ impl Rules<'_> {
         Some([-unsure_mm, unsure_mm].map(|unsure_mm| longer(&[first, last]) + unsure_mm))
     }
 
-    /// Deviation of a block from its motion between its ends; `None` where words and motion are straight. `ends`: poses before
-    /// and after it.
+    /// Deviation of a block from its motion between its ends; `None` where words and motion are straight. `ends`: poses
+    /// before and after it.
     pub(crate) fn deviation(
         &self,
         path: &BlockPath<'_>,

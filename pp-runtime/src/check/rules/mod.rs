@@ -1,8 +1,8 @@
 //! The rules that a program is compared with: meaning of its words, rounding, F, modal state.
 //!
-//! [`Rules`] is what is given for a whole program, apart from the tool in the spindle. `words` converts words into tip and
-//! tool axis, `feed` has the rules of F, `state` the modal state of a block, `fit` whether a block ends on a motion,
-//! and `arc` the blocks along arcs.
+//! [`Rules`] is what is given for a whole program, apart from the tool in the spindle. `words` converts words into tip
+//! and tool axis, `feed` has the rules of F, `state` the modal state of a block, `fit` whether a block ends on a
+//! motion, and `arc` the blocks along arcs.
 
 mod arc;
 mod feed;
@@ -68,7 +68,7 @@ pub(super) struct Rules<'a> {
     units: Units,
     /// States of a program before that must be ended: bits of `settled`.
     left_over: u32,
-    /// The same of the frames that the program has used.
+    /// States of the frames that the program has used: bits of `settled`.
     frames_used: u32,
     /// Work offset of each set-up.
     offsets: Vec<(u32, WorkOffset)>,
@@ -169,8 +169,8 @@ impl<'a> Rules<'a> {
         self.meaning
     }
 
-    /// Takes tip control and planes of a block away from the part. They decide the meaning of linear words, where the policy
-    /// does not.
+    /// Takes tip control and planes of a block away from the part. They decide the meaning of linear words, where the
+    /// policy does not.
     pub(super) fn follow_frame(&mut self, state: &State) {
         self.framed = is_framed(state);
         self.frames_used |= state::frame_bits(state);
@@ -199,7 +199,7 @@ impl<'a> Rules<'a> {
         self.moved_by_more(self.words.rotary(), 0.5 * self.rounding.unit_rad, (before, known, block))
     }
 
-    /// The same for every axis; rounding hides no motion of a linear one.
+    /// All axes that a block moves, as [`moved`](Self::moved); rounding hides no motion of a linear one.
     pub(super) fn all_moved(&self, before: &[f64; MAX_AXES], known: u16, block: &Block) -> u16 {
         let linear = (0..MAX_AXES).filter(|index| self.words.rotary_bits() & (1 << index) == 0);
         self.moved(before, known, block) | self.moved_by_more(linear, SAME_LINEAR_WORD, (before, known, block))
@@ -283,7 +283,7 @@ impl<'a> Rules<'a> {
         self.is_near(here, there, [1.0; 2])
     }
 
-    /// The same with multiples of the allowances for tip and tool axis.
+    /// Whether a pose is another within multiples of the allowances for tip and tool axis.
     pub(super) fn is_near(&self, here: &ToolPose, there: &ToolPose, [tip, axis]: [f64; 2]) -> bool {
         (here.tip - there.tip).norm() <= tip * self.rounding.tip_mm && self.is_axis_near(&here.axis, &there.axis, axis)
     }
@@ -331,8 +331,8 @@ impl<'a> Rules<'a> {
         }
     }
 
-    /// The motion of a feed block from the words before it, whose tip is led evenly. `length_mm`: its tip path as rounded ends
-    /// show it, and the length that it cannot exceed.
+    /// The motion of a feed block from the words before it, whose tip is led evenly. `length_mm`: its tip path as
+    /// rounded ends show it, and the length that it cannot exceed.
     pub(super) fn stroke(
         &self,
         before: &[f64; MAX_AXES],
@@ -366,8 +366,8 @@ impl<'a> Rules<'a> {
         !self.law.needs_directions() || self.words.is_perpendicular(&values())
     }
 
-    /// Whether F of a block that goes along a motion is right whatever the largest speed of the tip times the time of the block is
-    /// between these bounds, mm; `false` where that is not decided. The tip of `stroke` is led evenly.
+    /// Whether F of a block that goes along a motion is right whatever the largest speed of the tip times the time of
+    /// the block is between these bounds, mm; `false` where that is not decided. The tip of `stroke` is led evenly.
     #[inline(always)]
     pub(super) fn is_feed_plainly_right(
         &self,
@@ -381,8 +381,8 @@ impl<'a> Rules<'a> {
         state.vector.is_none() && self.law.is_plainly_right(stroke, state, [least_mm, most_mm])
     }
 
-    /// Largest speeds of the axes in a block along an arc, or under tip control that rotates, by the axis values at many places of
-    /// the block, times its time; `None` where the axes move evenly, or the control slows down for them.
+    /// Largest speeds of the axes in a block along an arc, or under tip control that rotates, by the axis values at
+    /// many places of the block, times its time; `None` where the axes move evenly, or the control slows down for them.
     fn uneven(&self, before: &[f64; MAX_AXES], block: &Block) -> Option<Box<[f64; MAX_AXES]>> {
         if !self.law.needs_axes() {
             return None;
@@ -413,8 +413,8 @@ impl<'a> Rules<'a> {
         Some(Box::new(fastest.map(|fastest| fastest.largest() * parts)))
     }
 
-    /// What is wrong with F of a block that goes from one pose to another on a motion. With a tool vector the rotation of the
-    /// rotary axes is the control's own.
+    /// What is wrong with F of a block that goes from one pose to another on a motion. With a tool vector the rotation
+    /// of the rotary axes is the control's own.
     pub(super) fn feed_fault(
         &self,
         stroke: &Stroke,
@@ -439,8 +439,8 @@ impl<'a> Rules<'a> {
         if law.may_move(stroke) { along().map(|_| on_the_spot) } else { Some(on_the_spot) }
     }
 
-    /// How far the axes may move between two poses. Near a pole the control chooses how far the rotary axes rotate: by any angle
-    /// that a rest at the pole may have.
+    /// How far the axes may move between two poses. Near a pole the control chooses how far the rotary axes rotate: by
+    /// any angle that a rest at the pole may have.
     fn changes(&self, ends: [&ToolPose; 2]) -> Vec<[f64; MAX_AXES]> {
         let turn = angle_between(&ends[0].axis, &ends[1].axis);
         let far = ends.iter().all(|end| self.off_pole_rad(&end.axis) > 2.0 * turn);
@@ -464,14 +464,14 @@ impl<'a> Rules<'a> {
         matches!(steps, [Some(x), Some(y), Some(z)] if x.cross(&y).dot(&z) < 0.0)
     }
 
-    /// Axis values of the linear axes other than the retract axis after a block of an approach; `None` if they depend on its
-    /// position. `before`: the words before the block.
+    /// Axis values of the linear axes other than the retract axis after a block of an approach; `None` if they depend
+    /// on its position. `before`: the words before the block.
     pub(super) fn across(&self, before: &[f64; MAX_AXES], block: &Block) -> Option<[f64; MAX_AXES]> {
         self.words.across(&block.values, rotary_words(before, block), &block.state, self.rounding.plane_rad)
     }
 
-    /// Whether a block of an approach moves the retract axis alone, but for rounding, and for that of the angles of a plane.
-    /// `across`: the other axes before it.
+    /// Whether a block of an approach moves the retract axis alone, but for rounding, and for that of the angles of a
+    /// plane. `across`: the other axes before it.
     pub(super) fn moves_retract_axis_alone(
         &self,
         across: &[f64; MAX_AXES],
@@ -491,7 +491,8 @@ impl<'a> Rules<'a> {
         self.policy.linear_of_all().is_none_or(|meaning| meaning == LinearMeaning::TipCoordinates)
     }
 
-    /// Whether rapids that rotate the tool would exceed the speeds of axes: under a tip control that does not hold them.
+    /// Whether rapids that rotate the tool would exceed the speeds of axes: under a tip control that does not hold
+    /// them.
     fn rapids_exceed_speeds(&self) -> bool {
         let tip = self.meaning == LinearMeaning::TipCoordinates;
         tip && !self.facts.tip_control_holds_axis_speeds && self.law.needs_axes()
@@ -520,8 +521,8 @@ impl<'a> Rules<'a> {
     }
 }
 
-/// Bounds of the largest speed of the tip times the time of a block, mm, from that of a few points. They are followed to a part
-/// of the tolerance; a bound of the speed may exceed it by more.
+/// Bounds of the largest speed of the tip times the time of a block, mm, from that of a few points. They are followed
+/// to a part of the tolerance; a bound of the speed may exceed it by more.
 fn tip_rates(rate_mm: f64, required: &Required) -> [f64; 2] {
     [-0.25, 1.0].map(|share| rate_mm + share * required.tolerance_mm)
 }
@@ -579,8 +580,9 @@ impl WordRounding {
         self.axis_rad + 2.0 * self.plane_rad
     }
 
-    /// Whether words are fine enough for a rotary position to be compared, and the rotation of the tool axis with an axis from
-    /// which on rounded angles of a plane fix that position, rad per rad. `largest_rad`: difference that a guard allows.
+    /// Whether words are fine enough for a rotary position to be compared, and the rotation of the tool axis with an
+    /// axis from which on rounded angles of a plane fix that position, rad per rad. `largest_rad`: difference that a
+    /// guard allows.
     pub(crate) fn fixes_rotaries(&self, largest_rad: f64) -> Option<f64> {
         (self.unit_rad <= 0.4 * largest_rad).then(|| 2.0 * self.plane_rad / largest_rad)
     }
@@ -619,7 +621,8 @@ fn corner(machine: &dyn AnyMachine) -> f64 {
     signs.fold(0.0, f64::max)
 }
 
-/// Half a revolution leads to every position at a pole; between its limits the first rotary axis may have to go the longer way.
+/// Half a revolution leads to every position at a pole; between its limits the first rotary axis may have to go the
+/// longer way.
 fn largest_rest_rad(axes: &[Axis], policy: &CheckPolicy, first_rotary: Option<usize>) -> f64 {
     let limits = policy.set_up.travel(axes).limits;
     let limited = first_rotary.is_some_and(|index| limits[index].is_some());
@@ -636,7 +639,8 @@ fn dynamic_offset_fault(machine: &dyn AnyMachine, policy: &CheckPolicy) -> Optio
     moved.then_some("the dynamic work offset (G254) needs 0 for the rotary axes in the work offset (`rotary_offset`)")
 }
 
-/// Whether linear words are coordinates of the tip, or of a tilted plane. Those under a dynamic work offset are along the axes.
+/// Whether linear words are coordinates of the tip, or of a tilted plane. Those under a dynamic work offset are along
+/// the axes.
 fn is_framed(state: &State) -> bool {
     state.tip_control != TipControl::Off || state.tilt.is_some()
 }

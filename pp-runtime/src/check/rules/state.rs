@@ -62,7 +62,8 @@ impl OffsetsInForce {
         Self { work_offset: state.work_offset.or(state.cancelled_offset), length: state.length }
     }
 
-    /// What is wrong where others are in force although nothing moves any more; compensation may be switched off, or as `called`.
+    /// What is wrong where others are in force although nothing moves any more; compensation may be switched off, or as
+    /// `called`.
     fn changed(self, now: Self, called: Option<Length>) -> Option<StateFault> {
         if let Some((before, now)) = self.work_offset.zip(now.work_offset)
             && before != now
@@ -117,7 +118,7 @@ impl Rules<'_> {
         self.tool_first(found, state, required)
     }
 
-    /// The same without the tool.
+    /// At the part, on the path of the CL data, without the tool.
     pub(crate) fn fault_in_cut(&self, block: &Block, required: &Required, context: ModalContext) -> Option<StateFault> {
         let (state, context) = (&block.state, ModalContext { in_thread: block.action.is_thread(), ..context });
         let offset_path = required.side != SideOfPath::None;
@@ -205,8 +206,8 @@ impl Rules<'_> {
         }
     }
 
-    /// At the end code: the modes in which the next program, or the operator, finds the control. `offsets`: those before it that are
-    /// right; `register`: that of the last motion.
+    /// At the end code: the modes in which the next program, or the operator, finds the control. `offsets`: those
+    /// before it that are right; `register`: that of the last motion.
     pub(crate) fn fault_in_modes(
         &self,
         state: &State,
@@ -236,8 +237,8 @@ impl Rules<'_> {
         self.offsets(&State { work_offset, ..*state }, last, false)
     }
 
-    /// At a position of the machine; `tilts`: the frame of a plane may still be in force; `spindle_on`: the state in which the spindle
-    /// may be.
+    /// At a position of the machine; `tilts`: the frame of a plane may still be in force; `spindle_on`: the state in
+    /// which the spindle may be.
     pub(crate) fn fault_at_retract(
         &self,
         block: &Block,
@@ -282,7 +283,8 @@ impl Rules<'_> {
             .or_else(|| still_on(block))
     }
 
-    /// What is wrong with the state that a plane, or a zero that follows the table, captures: that of the motions after it.
+    /// What is wrong with the state that a plane, or a zero that follows the table, captures: that of the motions after
+    /// it.
     pub(crate) fn fault_at_capture(&self, block: &Block, required: &Required) -> Option<StateFault> {
         let incremental = block.state.incremental == Some(true);
         incremental
@@ -290,8 +292,8 @@ impl Rules<'_> {
             .or_else(|| self.offsets(&block.state, required, false))
     }
 
-    /// What is wrong with the state in which blocks of the shop measure: with a probe at its point after a motion of this state, or
-    /// the tool at the machine retract. `at`: their block, as if it did nothing.
+    /// What is wrong with the state in which blocks of the shop measure: with a probe at its point after a motion of
+    /// this state, or the tool at the machine retract. `at`: their block, as if it did nothing.
     pub(crate) fn fault_at_measuring(
         &self,
         at: &Block,
@@ -392,8 +394,8 @@ impl Rules<'_> {
         None
     }
 
-    /// Bits of what a restart point must have ended: what every control may have left, and frames that the program has used, since it
-    /// may be entered after a stop in one.
+    /// Bits of what a restart point must have ended: what every control may have left, and frames that the program has
+    /// used, since it may be entered after a stop in one.
     #[inline]
     fn owed(&self, state: &State) -> u32 {
         let frames = self.frames_used | frame_bits(state);

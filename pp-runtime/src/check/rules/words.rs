@@ -14,8 +14,8 @@ use crate::check::tolerances::{EQUAL_TOOL_SHARE, EXCURSION};
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::set_up::{LengthMode, ProgramZero};
 
-/// Newton steps of rotary axes to a near tool axis, and the distance at which they end, rad: a rotary axis whose rate is the tilt,
-/// as near the pole, is known to that over the tilt.
+/// Newton steps of rotary axes to a near tool axis, and the distance at which they end, rad: a rotary axis whose rate
+/// is the tilt, as near the pole, is known to that over the tilt.
 const NEWTON_STEPS: u32 = 30;
 const ROTATED_TO: f64 = 1e-14;
 
@@ -25,8 +25,8 @@ const LEAST_STEP: f64 = 1e-9;
 /// Distance from a tool axis that is not reached, rad.
 const UNREACHED: f64 = 0.1;
 
-/// Largest damping. It falls with the square of the distance that is left: so an axis that hardly rotates the tool is left alone
-/// while the tool has far to go, and near the pole the last steps converge all the same.
+/// Largest damping. It falls with the square of the distance that is left: so an axis that hardly rotates the tool is
+/// left alone while the tool has far to go, and near the pole the last steps converge all the same.
 const DAMPED: f64 = 1e-8;
 
 /// Angles at which the axes are looked at while a rotary axis rotates near the pole.
@@ -222,8 +222,8 @@ impl MachineWords {
         }
     }
 
-    /// Machine coordinate of a linear axis less its value and `machine_zero`, mm: the share of the gauge length, and the
-    /// place of the part zero in a further set-up.
+    /// Machine coordinate of a linear axis less its value and `machine_zero`, mm: the share of the gauge length, and
+    /// the place of the part zero in a further set-up.
     pub(crate) fn gauge_of(&self, index: usize) -> f64 {
         self.gauge_length_mm * self.gauge_share[index] + self.moved_mm[index]
     }
@@ -238,7 +238,8 @@ impl MachineWords {
         if state.has_frame() { self.place_in_frame(words, state) } else { self.chain.place(&self.values(words)) }
     }
 
-    /// Tip of words, and its displacement from each of three words to others; the rotary axes are at the same values in all of them.
+    /// Tip of words, and its displacement from each of three words to others; the rotary axes are at the same values in
+    /// all of them.
     pub(crate) fn tip_and_shifts(
         &self,
         words: &[f64; MAX_AXES],
@@ -252,7 +253,7 @@ impl MachineWords {
         self.chain.tip_and_shifts(&self.values(words), &steps.map(|[from, to]| self.change(from, to)))
     }
 
-    /// The same where linear words count in a frame.
+    /// Pose of words where the linear ones count in a frame.
     #[inline(never)]
     fn place_in_frame(&self, words: &[f64; MAX_AXES], state: &State) -> ToolPose {
         match (&state.tip_control, &state.tilt) {
@@ -311,7 +312,7 @@ impl MachineWords {
         self.xyz().iter().all(Option::is_some) && self.chain.is_perpendicular(values, set_bits(self.linear_bits()))
     }
 
-    /// The same with the rotary words that the control has chosen.
+    /// Axis values after a block, with the rotary words that the control has chosen.
     pub(crate) fn axes_with_rotary(&self, words: &[f64; MAX_AXES], state: &State) -> Option<[f64; MAX_AXES]> {
         let values = self.values(words);
         match (&state.tip_control, &state.tilt) {
@@ -372,8 +373,8 @@ impl MachineWords {
         Some(values)
     }
 
-    /// How far the axes may move from one pose to another, for each position that was found; the poses are nearer to each other
-    /// than to a pole.
+    /// How far the axes may move from one pose to another, for each position that was found; the poses are nearer to
+    /// each other than to a pole.
     pub(crate) fn changes(&self, [from, to]: [&ToolPose; 2]) -> Vec<[f64; MAX_AXES]> {
         let change = |start: [f64; MAX_AXES]| {
             let end = self.rotated_to(&start, &to.axis, 0.0)?;
@@ -385,8 +386,8 @@ impl MachineWords {
         self.positions(&from.axis).filter_map(change).collect()
     }
 
-    /// The same near a pole, where the first rotary axis may rotate by any angle up to `largest_rad`, and the other one may go
-    /// through the pole.
+    /// Largest motion of the axes near a pole, where the first rotary axis may rotate by up to `largest_rad`, and the
+    /// other one may go through the pole.
     pub(crate) fn changes_near_pole(&self, [from, to]: [&ToolPose; 2], largest_rad: f64) -> Vec<[f64; MAX_AXES]> {
         let Some(first) = self.rotary().next() else { return Vec::new() };
         let ends: Vec<_> = self.positions(&to.axis).collect();
@@ -411,7 +412,8 @@ impl MachineWords {
         rotated.filter_map(change).collect()
     }
 
-    /// Rotary axes that rotate by more than an angle from one tool axis to another, in each position that was found: bits.
+    /// Rotary axes that rotate by more than an angle from one tool axis to another, in each position that was found:
+    /// bits.
     pub(crate) fn rotated_for(&self, [from, to]: [&Vector3<f64>; 2], largest_rad: f64) -> u16 {
         let rotated = |start: [f64; MAX_AXES]| {
             let end = self.rotated_to(&start, to, 0.0)?;
@@ -422,8 +424,8 @@ impl MachineWords {
         self.positions(from).filter_map(rotated).reduce(|all, bits| all & bits).unwrap_or(0)
     }
 
-    /// Words whose rotary axes give the tool this axis, found from an angle in each quadrant of the two: each position is found from one of
-    /// them, some more than once.
+    /// Words whose rotary axes give the tool this axis, found from an angle in each quadrant of the two: each position
+    /// is found from one of them, some more than once.
     fn positions(&self, axis: &Vector3<f64>) -> impl Iterator<Item = [f64; MAX_AXES]> {
         let found = |seed: [f64; 2]| {
             let mut words = [0.0; MAX_AXES];
@@ -450,8 +452,8 @@ impl MachineWords {
         Some(std::array::from_fn(|index| if counts(index) { values[index] } else { 0.0 }))
     }
 
-    /// Axis values of the linear axes other than the retract axis after a block, if they do not depend on the word of that
-    /// axis; the others are 0. `rotary`: words of the rotary axes.
+    /// Axis values of the linear axes other than the retract axis after a block, if they do not depend on the word of
+    /// that axis; the others are 0. `rotary`: words of the rotary axes.
     pub(crate) fn across(
         &self,
         words: &[f64; MAX_AXES],
@@ -509,9 +511,9 @@ impl MachineWords {
 
     /// Words nearest to `words` whose rotary axes give the tool this axis on the workpiece.
     ///
-    /// Newton's method with the smallest step (normal equations, damped by at most [`DAMPED`]): at the pole, where a rotary axis
-    /// does not rotate the tool, that axis is left alone. A step below `last_step_rad` is the last: the error after it is of
-    /// the order of its square. `None` if it does not converge.
+    /// Newton's method with the smallest step (normal equations, damped by at most [`DAMPED`]): at the pole, where a
+    /// rotary axis does not rotate the tool, that axis is left alone. A step below `last_step_rad` is the last: the
+    /// error after it is of the order of its square. `None` if it does not converge.
     pub(crate) fn rotated_to(
         &self,
         words: &[f64; MAX_AXES],

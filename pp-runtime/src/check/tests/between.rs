@@ -27,7 +27,8 @@ impl Noise {
     }
 }
 
-/// Random blocks: how many are decided by their bounds, of those whose F is right, by the speed along the chord and at the ends.
+/// Random blocks: how many are decided by their bounds, of those whose F is right, by the speed along the chord and at
+/// the ends.
 fn decided<M: Machine>() -> [f64; 2] {
     let (control, config) = configured::<M>("linuxcnc", Mode::Axes, "");
     let policy = config.check_policy::<M>(control, None).expect("it can be checked");
@@ -123,8 +124,9 @@ fn the_speed_of_a_tip_is_not_judged_where_nothing_rotates() {
     assert_eq!(rules.rates_by_ends([&before, &after], [&ends[0], &ends[1]]), None);
 }
 
-/// Random arcs with the rotary axes at rest, each as a part of a motion that is about the same arc: their deviation is that of their
-/// points, and their bound is no smaller. Returns the share of those that are decided by a bound of up to twice their deviation.
+/// Random arcs with the rotary axes at rest, each as a part of a motion that is about the same arc: their deviation is
+/// that of their points, and their bound is no smaller. Returns the share of those that are decided by a bound of up to
+/// twice their deviation.
 fn follows_arcs<M: Machine>(by_mm: f64) -> f64 {
     let (control, config) = configured::<M>("linuxcnc", Mode::Axes, "");
     let policy = config.check_policy::<M>(control, None).expect("it can be checked");

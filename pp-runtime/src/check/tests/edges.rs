@@ -155,8 +155,8 @@ fn the_rotary_axes_are_parked_first() {
     assert!(found.iter().any(|text| text.contains("parked after linear axes")), "{found:?}");
 }
 
-/// Where C is the main spindle, words of X must be radii, C an axis and the tool driven before anything moves, and the spindle of
-/// the tool is not that of M3.
+/// Where C is the main spindle, words of X must be radii, C an axis and the tool driven before anything moves, and the
+/// spindle of the tool is not that of M3.
 #[test]
 fn a_turning_machine_states_its_modes_at_each_restart_point() {
     let turning = |spindle: &str, radius: &str| {
@@ -376,7 +376,8 @@ const CONTOUR: &str = "UNITS/MM\nLOADTL/1,ADJUST,1\nSPINDL/RPM,4000,CLW\nRAPID\n
                        GOTO/0,0,-2\nCUTCOM/LEFT\nGOTO/0,-20,-2\nGOTO/30,-20,-2\nGOTO/30,20,-2\nGOTO/-30,20,-2\n\
                        GOTO/-30,-20,-2\nGOTO/5,-20,-2\nCUTCOM/OFF\nGOTO/5,0,-2\nRAPID\nGOTO/5,0,50\n";
 
-/// Fanuc, 16i operator's manual, B-63664EN/02, p. 170: after two blocks without a motion the tool cuts into an inner corner.
+/// Fanuc, 16i operator's manual, B-63664EN/02, p. 170: after two blocks without a motion the tool cuts into an inner
+/// corner.
 #[test]
 fn blocks_that_end_the_look_ahead_of_a_contour_are_found() {
     let set_up = "retract.distance = 20\ncompensation.path = \"contour\"\ntools = { 1 = { diameter = 10.0 } }\n";

@@ -358,7 +358,8 @@ fn a_length_that_is_called_between_is_found() {
     }
 }
 
-/// On the way to tip control axes with a head go to positions that depend on the length, whatever key asks for the guard.
+/// On the way to tip control axes with a head go to positions that depend on the length, whatever key asks for the
+/// guard.
 #[test]
 fn a_length_guard_that_nobody_has_asked_for_is_missed() {
     let set_up =

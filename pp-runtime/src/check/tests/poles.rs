@@ -21,8 +21,8 @@ fn the_rotary_axes_of_a_tool_axis_near_the_pole_are_found() {
             let mut to = from;
             to[table] += 0.2;
             let found = words.rotated_to(&from, &words.tool_axis_at(&to), 0.0).expect("it is found");
-            // The tool axis is met to 1e-14 rad, and the table, whose rate is the tilt, to that over the tilt; or the last step was
-            // below 1e-9 rad.
+            // The tool axis is met to 1e-14 rad, and the table, whose rate is the tilt, to that over the tilt; or the
+            // last step was below 1e-9 rad.
             assert!((found[table] - to[table]).abs() <= (2e-14 / tilt).max(1e-9), "{tilt}: {found:?} {to:?}");
             assert!((found[tilting] - to[tilting]).abs() <= 2e-9, "{tilt}: {found:?} {to:?}");
         }

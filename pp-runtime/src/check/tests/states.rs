@@ -48,8 +48,8 @@ fn an_axis_that_has_left_its_parking_position_is_not_there() {
     assert_told::<Mill>("linuxcnc", Mode::Axes, &set_up, data, &moved);
 }
 
-/// Home and parking position of an axis differ: the axis is at home before the rotary axes park, and at its parking position at
-/// the end.
+/// Home and parking position of an axis differ: the axis is at home before the rotary axes park, and at its parking
+/// position at the end.
 #[test]
 fn an_axis_at_home_is_not_parked() {
     let set_up =
@@ -169,8 +169,8 @@ fn a_parking_block_may_repeat_a_word_of_a_linear_axis() {
     assert_told::<Tables>("fanuc", Mode::Axes, set_up, data, &other);
 }
 
-/// With tool vectors the control finds the rotary angles: a clamp is released for each of them, and F is no lower than half a
-/// revolution at the pole asks for.
+/// With tool vectors the control finds the rotary angles: a clamp is released for each of them, and F is no lower than
+/// half a revolution at the pole asks for.
 #[test]
 fn with_tool_vectors_near_the_pole_clamps_and_f_are_compared() {
     let set_up = "retract.distance = 50\ntcp_frame = \"table_at_zero\"\ntcp_confirmed = true\ntcp_words = \"vectors\"\n\

@@ -3,10 +3,11 @@
 //! Rotary limits are axis values; linear ones machine coordinates, `machine_zero + value + share of the gauge length`.
 //! Where the machine zero is unknown only the span of a linear axis is compared with its travel.
 //!
-//! Limits are a box of axis values, and so is the region that the axes may pass in a rapid in which each moves on its own:
-//! if both ends are inside, all of it is. That holds for every straight block whose words are axis values, and in a tilted
-//! plane. It does not hold for arcs, nor under tip control, where linear axes follow the rotary ones: `within` finds the
-//! extreme of each axis there, and `rapid` those of a rapid under tip control whose axes do not arrive together.
+//! Limits are a box of axis values, and so is the region that the axes may pass in a rapid in which each moves on its
+//! own: if both ends are inside, all of it is. That holds for every straight block whose words are axis values, and in
+//! a tilted plane. It does not hold for arcs, nor under tip control, where linear axes follow the rotary ones: `within`
+//! finds the extreme of each axis there, and `rapid` those of a rapid under tip control whose axes do not arrive
+//! together.
 //!
 //! The tip in a rapid is not judged here: `compare/clear` compares it with the clearance geometry.
 

@@ -2,8 +2,8 @@
 //!
 //! Every pair of rotary values may occur with every point of the box of the linear words. For a pair of rotary values
 //! linear axes are affine in the words, so that the corners of the box suffice. Over the rotary values an axis value is
-//! `Σ c_ij·g_i(a)·h_j(b)` with `g, h ∈ {1, cos, sin}`, because each rotary axis is one factor of the chain: nine values give
-//! the bound of its curvature, and branch and bound its largest value. Nothing between samples is left out.
+//! `Σ c_ij·g_i(a)·h_j(b)` with `g, h ∈ {1, cos, sin}`, because each rotary axis is one factor of the chain: nine values
+//! give the bound of its curvature, and branch and bound its largest value. Nothing between samples is left out.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -91,8 +91,8 @@ fn transposed(rows: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
 
 /// Largest value over a cell, to [`ACCURACY`]; of no interest up to `threshold`, which is returned then or less.
 ///
-/// Over a rectangle with edges `u` and `v` a function exceeds the largest of its corners by `(u²·m + v²·n) / 8` at most, where
-/// `m` and `n` bound its second derivatives: the error of linear interpolation, once for each edge.
+/// Over a rectangle with edges `u` and `v` a function exceeds the largest of its corners by `(u²·m + v²·n) / 8` at
+/// most, where `m` and `n` bound its second derivatives: the error of linear interpolation, once for each edge.
 fn highest(value: impl Fn([f64; 2]) -> f64, cell: Cell, curvature: [f64; 2], threshold: f64) -> f64 {
     let (mut best, mut cells, mut examined) = (f64::NEG_INFINITY, vec![cell], 0);
     while let Some([a, b]) = cells.pop() {

@@ -1,8 +1,8 @@
 //! Extremes of the axes within a block.
 //!
-//! Where the control rotates the tool axis in the plane of its ends, or is given that axis instead of angles, its rotary
-//! axes are followed from their last position in small steps. At a limit of theirs another position with the same tool
-//! axis is looked for, as the control does; how it gets there is not judged.
+//! Where the control rotates the tool axis in the plane of its ends, or is given that axis instead of angles, its
+//! rotary axes are followed from their last position in small steps. At a limit of theirs another position with the
+//! same tool axis is looked for, as the control does; how it gets there is not judged.
 
 use std::f64::consts::{PI, TAU};
 
@@ -50,8 +50,8 @@ impl Travel {
         }
     }
 
-    /// The same where linear axes follow the rotary ones, or the path is no line. `rotated`: words before the block with the rotary
-    /// axes as the control has rotated them.
+    /// Whether linear axes that follow the rotary ones, or a path that is no line, stay within the limits. `rotated`:
+    /// words before the block with the rotary axes as the control has rotated them.
     #[inline(never)]
     fn follow(
         &mut self,
@@ -135,8 +135,8 @@ impl Travel {
 
     /// Whether the selector of a plane call names another pose than that of these words; `higher`: SEQ+ or _DIR 1.
     ///
-    /// Heidenhain: SEQ is the sign of the master axis, the one nearest the tool. Siemens: _DIR is the lower or the higher of
-    /// its two values.
+    /// Heidenhain: SEQ is the sign of the master axis, the one nearest the tool. Siemens: _DIR is the lower or the
+    /// higher of its two values.
     pub(in super::super) fn selects_other_pose(&self, rules: &Rules<'_>, here: &[f64; MAX_AXES], higher: bool) -> bool {
         let words = rules.words();
         let Some(master) = words.rotary().last() else { return false };
@@ -216,8 +216,8 @@ impl Travel {
     }
 }
 
-/// Bounds of some axes, as bits, on the whole circle of an arc, and on all of its rise, while the rotary axes rest. `start`:
-/// values of the axes before the block; `at`: those with words.
+/// Bounds of some axes, as bits, on the whole circle of an arc, and on all of its rise, while the rotary axes rest.
+/// `start`: values of the axes before the block; `at`: those with words.
 fn circle(
     axes: u16,
     arc: &WordsAlongArc,

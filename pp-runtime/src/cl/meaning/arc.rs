@@ -1,8 +1,9 @@
 //! Arcs: a CIRCLE with the GOTO that ends it, and a TLON with the AUTOPS and INDIRV before it.
 //!
 //! CAM systems disagree on the sign of the axis of a CIRCLE. The count of its numbers decides: 6 and 7 mean
-//! counter-clockwise about the axis, 11 mean clockwise. After 7 a word may state the sense (CAMWorks). With 4 (*Supported CL Data Commands* of PTC: i, j, k may be absent) the
-//! axis is that of the tool, and the points between the ends or `--circle-sense` decide.
+//! counter-clockwise about the axis, 11 mean clockwise. After 7 a word may state the sense (CAMWorks). With 4
+//! (*Supported CL Data Commands* of PTC: i, j, k may be absent) the axis is that of the tool, and the points between
+//! the ends or `--circle-sense` decide.
 
 use std::f64::consts::TAU;
 
@@ -29,9 +30,9 @@ const SAME_POINT_MM: f64 = 1e-6;
 /// Chord length below which the ends of an arc may differ by rounding alone: the arc may be empty or a full circle.
 const SHORTEST_CHORD_MM: f64 = 5e-4;
 
-/// Product of the radii at both ends less the dot product of the two: above it no chord is short. The square of the chord is at
-/// least twice as much; around the centre, times the quotient of the radii, which differ by [`ARC_TOLERANCE_MM`] each and are not
-/// below it, at least two thirds.
+/// Product of the radii at both ends less the dot product of the two: above it no chord is short. The square of the
+/// chord is at least twice as much; around the centre, times the quotient of the radii, which differ by
+/// [`ARC_TOLERANCE_MM`] each and are not below it, at least two thirds.
 const CLEAR_MM2: f64 = 1e-6;
 
 /// Largest part of the product that is rounding of this difference.
@@ -403,8 +404,8 @@ fn normal_and_angle(
     let (u, v) = (flat(start.tip), flat(end.tip));
     let (first, last) = (u.norm(), v.norm());
     let above_centre = |point: Point3<f64>| (point - circle.centre).dot(&n).abs();
-    // The centre of a helix is at the level of its end (NX), or of its start (Creo, *CL Output for Circular Interpolation*,
-    // and MOVARC of the posts of Autodesk).
+    // The centre of a helix is at the level of its end (NX), or of its start (Creo, *CL Output for Circular
+    // Interpolation*, and MOVARC of the posts of Autodesk).
     let off_end = above_centre(end.tip);
     let off_plane = if circle.may_begin_at_centre { off_end.min(above_centre(start.tip)) } else { off_end };
     if off_plane > ARC_TOLERANCE_MM {
@@ -453,8 +454,8 @@ fn normal_and_angle(
     Ok((normal, angle))
 }
 
-/// Angle about `n` from the radius vector `u` to the radius vector `v`, whose ends are `apart`, rad, 0 to 2π; the distance of ends
-/// that are too near to tell.
+/// Angle about `n` from the radius vector `u` to the radius vector `v`, whose ends are `apart`, rad, 0 to 2π; the
+/// distance of ends that are too near to tell.
 #[inline(always)]
 fn angle_within_revolution(
     u: Vector3<f64>,
@@ -498,7 +499,8 @@ pub(crate) fn is_on(arc: &Arc, point: Point3<f64>) -> bool {
     angle_on(arc, point).is_some()
 }
 
-/// Angle from the start to a point that lies on the arc, seen along its normal; the coordinate along the normal is not compared.
+/// Angle from the start to a point that lies on the arc, seen along its normal; the coordinate along the normal is not
+/// compared.
 fn angle_on(arc: &Arc, point: Point3<f64>) -> Option<f64> {
     let n = arc.normal.into_inner();
     let flat = |point: Point3<f64>| {
@@ -520,7 +522,7 @@ mod tests {
 
     use super::*;
 
-    /// The same as [`angle_within_revolution`], without the test of chords that are clearly not short.
+    /// [`angle_within_revolution`] without the test of chords that are clearly not short.
     fn angle_by_chord(u: Vector3<f64>, v: Vector3<f64>, n: Vector3<f64>, rise_mm: f64, stated: bool) -> Option<f64> {
         let (chord, around) = ((v - u).norm(), (v * (u.norm() / v.norm()) - u).norm());
         let short = around < SHORTEST_CHORD_MM;

@@ -4,9 +4,9 @@
 //! i, j, k only when they change; a first GOTO without them, after an operation that ended with a tilted tool, is
 //! refused: its tool axis would be a guess.
 //!
-//! MULTAX/OFF holds the tool axis: a point that tilts the tool after it contradicts it and is refused. Without i, j, k the
-//! tool keeps its axis in CATIA ("the tool axis is considered as locked", *APT Formats*); it is back at (0, 0, 1) in
-//! the output of Autodesk, whose post writes MULTAX/OFF before sections along Z only; elsewhere it is in doubt.
+//! MULTAX/OFF holds the tool axis: a point that tilts the tool after it contradicts it and is refused. Without i, j, k
+//! the tool keeps its axis in CATIA ("the tool axis is considered as locked", *APT Formats*); it is back at (0, 0, 1)
+//! in the output of Autodesk, whose post writes MULTAX/OFF before sections along Z only; elsewhere it is in doubt.
 
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector;
@@ -104,7 +104,8 @@ impl ModalAxis {
         self.state_if(true, given, at, here)
     }
 
-    /// Sets the tool axis of the third column of CSYS, which MULTAX/OFF does not hold: it is another set-up of the part.
+    /// Sets the tool axis of the third column of CSYS, which MULTAX/OFF does not hold: it is another set-up of the
+    /// part.
     pub(crate) fn state_of_set_up(&mut self, given: [f64; 3], at: Span, here: Location) -> Result<(), ClFault> {
         self.state_if(false, given, at, here)
     }
@@ -198,8 +199,8 @@ impl ModalAxis {
         Ok(excess > ROUNDING)
     }
 
-    /// Refuses a tool axis that the MULTAX/OFF in force does not permit. While the axis is in doubt, the point may state that
-    /// it is the one before.
+    /// Refuses a tool axis that the MULTAX/OFF in force does not permit. While the axis is in doubt, the point may
+    /// state that it is the one before.
     #[cold]
     fn check_held(&self, axis: UnitVector3<f64>, at: Span) -> Result<(), ClFault> {
         let Some((line, before)) = self.held else { return Ok(()) };

@@ -22,8 +22,8 @@ pub(crate) struct CycleInForce {
     call: Option<CycleCall>,
     /// CYCLE/INIT (true) or CYCLE/CLEAR (false) for the next cycle.
     initial: Option<bool>,
-    /// Position of the tool when the cycle began or was resumed; with another tool axis, the point as high above the hole
-    /// with which that axis began.
+    /// Position of the tool when the cycle began or was resumed; with another tool axis, the point as high above the
+    /// hole with which that axis began.
     before: Option<Point3<f64>>,
     /// The holes of the cycle so far.
     made: Option<HolesMade>,
@@ -152,8 +152,9 @@ impl CycleInForce {
         (self.definition, self.call, self.initial) = (None, None, None);
     }
 
-    /// Level to which the tool returns after a hole, mm above its top. The initial level is a plane across the tool axis; with
-    /// another tool axis it is as high above the first hole there as it was above the first hole of the cycle.
+    /// Level to which the tool returns after a hole, mm above its top. The initial level is a plane across the tool
+    /// axis; with another tool axis it is as high above the first hole there as it was above the first hole of the
+    /// cycle.
     pub(crate) fn return_level(
         &mut self,
         cycle: &HoleDefinition,

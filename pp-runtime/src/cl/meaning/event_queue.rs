@@ -15,8 +15,8 @@ pub(crate) enum TextUse {
     Text(TextKind),
 }
 
-/// A queued event. Its text, if any, is still in the statement; a spline, and the name of an operation that has waited, are in
-/// the interpreter.
+/// A queued event. Its text, if any, is still in the statement; a spline, and the name of an operation that has waited,
+/// are in the interpreter.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum QueuedEvent {
     Plain(Event<'static>),

@@ -1,9 +1,9 @@
 //! Frames of a file: position and orientation of the output frame in the model.
 //!
 //! The numbers of CL data are already in that frame, so the first frame *is* the workpiece frame and is only reported.
-//! A later frame that differs may move every point after it: `frame_reading` decides whether they are mapped into the first of
-//! their set-up, and refuses what nothing states. CSYS of SolidWorks CAM is not such a frame: it does not change points and states
-//! the tool axis.
+//! A later frame that differs may move every point after it: `frame_reading` decides whether they are mapped into the
+//! first of their set-up, and refuses what nothing states. CSYS of SolidWorks CAM is not such a frame: it does not
+//! change points and states the tool axis.
 
 use std::collections::BTreeMap;
 
@@ -239,7 +239,8 @@ impl WorkpieceFrames {
         let begins_set_up = *self.first_of.entry(set_up).or_insert(index) == index;
         if known.is_none() {
             if let Some(first) = self.frames.first() {
-                // The comment of Creo may stand beside points in the coordinates of the machine, which are those of its numbers.
+                // The comment of Creo may stand beside points in the coordinates of the machine, which are those of its
+                // numbers.
                 let in_model = (dialect == Dialect::Creo).then_some(frame.axes[2]);
                 let columns = std::iter::once(frame.z_in(first)).chain(in_model).collect();
                 let lines = [frame.location.line, first.location.line];

@@ -1,11 +1,11 @@
 //! In which coordinates the points after a second frame are: its own, or those of the first.
 //!
-//! Creo writes the same comment whether its points are in the frame of the sequence or all in that of the machine; NX and CATIA mean
-//! the former (help of NX, *MSYS*). So the records have to state it, in every dialect. Where the Z of the frame leans against that
-//! of the first, a tool axis (0, 0, 1) is its own Z, and its points are in it; a tool axis that is its Z as the first frame has it
-//! says that they are in the first. Points without a tool axis are in it if plunges and retracts are along its Z. A tool axis along
-//! neither, or records of both kinds, state nothing; nor does any record where the Z is that of the first frame: then the reading
-//! must be given.
+//! Creo writes the same comment whether its points are in the frame of the sequence or all in that of the machine; NX
+//! and CATIA mean the former (help of NX, *MSYS*). So the records have to state it, in every dialect. Where the Z of
+//! the frame leans against that of the first, a tool axis (0, 0, 1) is its own Z, and its points are in it; a tool axis
+//! that is its Z as the first frame has it says that they are in the first. Points without a tool axis are in it if
+//! plunges and retracts are along its Z. A tool axis along neither, or records of both kinds, state nothing; nor does
+//! any record where the Z is that of the first frame: then the reading must be given.
 
 use super::options::Frames;
 use crate::cl::text::{ClFault, Span};
@@ -15,7 +15,8 @@ use crate::program::Location;
 /// Z of a frame in itself.
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
-/// Largest difference of a component of equal directions: the matrices of two frames, of five decimals, lie between them.
+/// Largest difference of a component of equal directions: the matrices of two frames, of five decimals, lie between
+/// them.
 const SAME_DIRECTION: f64 = 5e-5;
 
 /// Sine of the largest angle between a motion and the direction that it is along, by the digits of its points.
@@ -220,7 +221,8 @@ impl FrameReading {
         Ok(())
     }
 
-    /// Notes a motion of points without a tool axis that leads to the part or from it: the first one, a plunge, or a retract.
+    /// Notes a motion of points without a tool axis that leads to the part or from it: the first one, a plunge, or a
+    /// retract.
     fn take_motion(&mut self, point: &StatedPoint) {
         let Some(from) = self.stretch.from.replace(point.tip) else { return };
         let motion = [0, 1, 2].map(|i| point.tip[i] - from[i]);

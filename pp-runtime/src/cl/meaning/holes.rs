@@ -1,16 +1,16 @@
 //! Meaning of a CYCLE in each CAM system: levels along the tool axis, measured from the point of each GOTO.
 //!
-//! The post *Common ISO 4343 APT* of Autodesk writes `CYCLE/DRILL, depth, MMPM, feed, clearance[, RAPTO, r]` and, as GOTO, the
-//! point of `onCyclePoint`, which is the bottom: its other posts write its Z after G81. Clearance is the Z of the plane between
-//! the holes (`cycle.clearance`), and the feed begins r below it (`cycle.clearance - cycle.retract`). A section with a tilted
-//! plane is rotated about the origin (`setRotation`), so the coordinate of a plane counts along the tool axis there, too.
-//! *Generative Machining APT* of HSMWorks writes the same text with the top as point and other levels, so neither is read unless
-//! it is given.
+//! The post *Common ISO 4343 APT* of Autodesk writes `CYCLE/DRILL, depth, MMPM, feed, clearance[, RAPTO, r]` and, as
+//! GOTO, the point of `onCyclePoint`, which is the bottom: its other posts write its Z after G81. Clearance is the Z of
+//! the plane between the holes (`cycle.clearance`), and the feed begins r below it (`cycle.clearance - cycle.retract`).
+//! A section with a tilted plane is rotated about the origin (`setRotation`), so the coordinate of a plane counts along
+//! the tool axis there, too. *Generative Machining APT* of HSMWorks writes the same text with the top as point and
+//! other levels, so neither is read unless it is given.
 //!
-//! *CAMplete APT* of Autodesk writes `CYCLE/DRILL, FEDTO, depth, MMPM, feed, CLEAR, z, RETURN, r[, RAPTO, p]` and, as GOTO, the
-//! top (`cycle.stock`): r is `clearance - stock`, p `retract - stock`, absent where it is 0, and z the Z of the clearance plane,
-//! which is r above the point. Earlier versions write RTRCTO for DRILL only: without a return level the tool returns to the plane, and
-//! without RAPTO the feed begins there.
+//! *CAMplete APT* of Autodesk writes `CYCLE/DRILL, FEDTO, depth, MMPM, feed, CLEAR, z, RETURN, r[, RAPTO, p]` and, as
+//! GOTO, the top (`cycle.stock`): r is `clearance - stock`, p `retract - stock`, absent where it is 0, and z the Z of
+//! the clearance plane, which is r above the point. Earlier versions write RTRCTO for DRILL only: without a return
+//! level the tool returns to the plane, and without RAPTO the feed begins there.
 
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{ClCycleKind, CycleCall, FeedUnit, Return, ThreadPitch, word_of};
@@ -87,14 +87,14 @@ pub(crate) struct ClearanceAt {
 enum CyclePoints {
     /// The bottoms of the holes; the feed begins so far below the plane (*Common ISO 4343 APT*).
     Bottoms { feed_begins_below_mm: f64 },
-    /// Their tops; the feed begins so far above them, or at the plane, and the return level, if the record states it, must be
-    /// the plane (*CAMplete APT*).
+    /// Their tops; the feed begins so far above them, or at the plane, and the return level, if the record states it,
+    /// must be the plane (*CAMplete APT*).
     Tops { feed_begins_mm: Option<f64>, return_mm: Option<f64> },
 }
 
 impl HoleDefinition {
-    /// The hole at a point of the cycle: its top, and its definition from there. `before`: position of the tool before the
-    /// cycle.
+    /// The hole at a point of the cycle: its top, and its definition from there. `before`: position of the tool before
+    /// the cycle.
     pub(crate) fn at(
         self,
         point: Pose,
@@ -183,7 +183,8 @@ pub(crate) const OF_ANOTHER_POST: &str = "if another post wrote the file, add `-
 /// Numbers without a word of *Common ISO 4343 APT*.
 const OF_AUTODESK: [CycleArg; 2] = [CycleArg::Depth, CycleArg::Clearance];
 
-/// Returns the record with the numbers without a word under their configured meaning. They fill what the record does not state.
+/// Returns the record with the numbers without a word under their configured meaning. They fill what the record does
+/// not state.
 pub(crate) fn with_names(cycle: &CycleCall, args: Option<&[CycleArg]>, dialect: Dialect) -> Result<CycleCall, ClFault> {
     let mut cycle = *cycle;
     if cycle.positionals == 0 {
@@ -333,7 +334,8 @@ fn plane_above_tops(cycle: &CycleCall, unit_mm: f64) -> Result<ClearanceAt, ClFa
 /// Largest difference of two depths that are the same by their digits.
 const SAME_DEPTH_MM: f64 = 2e-3;
 
-/// Depth of a countersink by its diameter and the angle of its tool, units of the file (*CL Output for Holemaking Cycles* of PTC).
+/// Depth of a countersink by its diameter and the angle of its tool, units of the file (*CL Output for Holemaking
+/// Cycles* of PTC).
 fn depth_of_cone(cycle: &CycleCall) -> Result<Option<f64>, ClFault> {
     let (diameter, angle) = match (cycle.diameter, cycle.tool_angle_deg) {
         (None, None) => return Ok(None),
@@ -413,10 +415,10 @@ fn depth(cycle: &CycleCall, context: &CycleContext) -> Result<f64, ClFault> {
     Ok(value)
 }
 
-/// Depth of the hole and, where THRU states several depths, the gaps between its plates. The numbers are the bottom of the first
-/// plate, then top and bottom of each further one: feed to the bottom, rapid to CLEAR above the next top. `THRU` is "for multiple
-/// plates" (*Holemaking Cycle Types* of PTC, *Drill, Web*); the order of the numbers is that of files, not of a text that was read,
-/// so they must ascend. `clearance`: the clearance level, mm.
+/// Depth of the hole and, where THRU states several depths, the gaps between its plates. The numbers are the bottom of
+/// the first plate, then top and bottom of each further one: feed to the bottom, rapid to CLEAR above the next top.
+/// `THRU` is "for multiple plates" (*Holemaking Cycle Types* of PTC, *Drill, Web*); the order of the numbers is that of
+/// files, not of a text that was read, so they must ascend. `clearance`: the clearance level, mm.
 fn plates(
     cycle: &CycleCall,
     first: f64,

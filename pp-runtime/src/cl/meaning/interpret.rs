@@ -34,8 +34,8 @@ enum CutcomOn {
     /// No side has come, and nothing is asked for.
     #[default]
     Unstated,
-    /// CUTCOM/ON with this register has come before any side: *Common ISO 4343 APT* of Autodesk and HSMWorks writes CUTCOM/LEFT or
-    /// RIGHT after it.
+    /// CUTCOM/ON with this register has come before any side: *Common ISO 4343 APT* of Autodesk and HSMWorks writes
+    /// CUTCOM/LEFT or RIGHT after it.
     Asked(Option<u32>),
     /// A side has come; CUTCOM/ON resumes it.
     Stated,
@@ -455,8 +455,8 @@ impl RecordInterpreter {
         }
     }
 
-    /// STOP or OPSTOP, the `word`. A spindle that is switched on just before is remarked on: the scripts of Autodesk write SPINDL/ON for the
-    /// command that stops the spindle, and SPINDL/OFF for the one that starts it.
+    /// STOP or OPSTOP, the `word`. A spindle that is switched on just before is remarked on: the scripts of Autodesk
+    /// write SPINDL/ON for the command that stops the spindle, and SPINDL/OFF for the one that starts it.
     fn remark_on_spindle(&mut self, word: &'static str) {
         if self.spindle_on_after.take() == Some(self.path.motions()) {
             self.events.warn(ClFault::new(

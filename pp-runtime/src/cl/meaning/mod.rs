@@ -1,9 +1,10 @@
 //! Meaning of records in their context: units, modal state, and the events that follow.
 //!
-//! `interpret` passes each record to the owners of modal state: `units`, `feed`, `modal_tool` (with `tool_table`), `axis`, `coordinates`
-//! (with `frame`, `frame_reading` and `transform`) and `path_state`. `arc`, `nurbs_curve` and `cycle` span several records; `permitted`
-//! lists the records that may come meanwhile. `holes` has the conventions of the CAM systems for CYCLE, `tool_numbers` those
-//! for LOADTL, `votes` checks the sense of arcs. Events are queued in `event_queue`.
+//! `interpret` passes each record to the owners of modal state: `units`, `feed`, `modal_tool` (with `tool_table`),
+//! `axis`, `coordinates` (with `frame`, `frame_reading` and `transform`) and `path_state`. `arc`, `nurbs_curve` and
+//! `cycle` span several records; `permitted` lists the records that may come meanwhile. `holes` has the conventions of
+//! the CAM systems for CYCLE, `tool_numbers` those for LOADTL, `votes` checks the sense of arcs. Events are queued in
+//! `event_queue`.
 
 mod arc;
 mod axis;

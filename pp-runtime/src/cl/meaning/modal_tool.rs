@@ -1,7 +1,8 @@
 //! The tool in the spindle: its call, and the CUTTER or TLDATA that describes it.
 //!
-//! A cutter described before a call belongs to the tool called next, or to the tool in the spindle if that cuts before. Creo describes
-//! it after the call, so a call is held until the next event. All that is stated comes together in the `tool_table`.
+//! A cutter described before a call belongs to the tool called next, or to the tool in the spindle if that cuts before.
+//! Creo describes it after the call, so a call is held until the next event. All that is stated comes together in the
+//! `tool_table`.
 
 use std::collections::BTreeMap;
 
@@ -123,7 +124,8 @@ impl ModalTool {
         self.table.take_cutter(self.last.as_mut(), (cutter, here), given(options, number))
     }
 
-    /// Another operation begins, for a tool of this name: a cutter that has not cut belongs to the one before and is dropped.
+    /// Another operation begins, for a tool of this name: a cutter that has not cut belongs to the one before and is
+    /// dropped.
     pub(crate) fn begin_operation(&mut self, tool: Option<&[u8]>, here: Location) {
         self.next_cutter = None;
         self.named = tool.map(|name| (decoded(name).into_owned(), here));

@@ -88,11 +88,12 @@ options! {
     pub struct ReadingOptions in "cl" {
         /// Unit of CL data that does not state its own (`--units`). Without it such data is refused.
         units: Option<Units> = None;
-        /// The unit is given for this file (`--units`), so cutters that look like those of a file in inch are only warned of.
+        /// The unit is given for this file (`--units`), so cutters that look like those of a file in inch are only
+        /// warned of.
         units_confirmed: bool = false;
         /// Point of the tool that the CL data programs: "tip", or "centre" of the corner radius.
         cl_point: ClPoint = ClPoint::Tip, key("cl_point", OneOf(&ClPoint::NAMES));
-        /// The same by tool number, where it differs.
+        /// Programmed point by tool number, where it differs.
         cl_point_of: BTreeMap<u32, ClPoint> = BTreeMap::new();
         /// Tool that cuts before the first tool call.
         default_tool: Option<u32> = None;
@@ -103,24 +104,24 @@ options! {
         /// CAM system of the CL data, if the file does not identify it or identifies it wrongly: "nx", "catia", "creo",
         /// "solidworks", "iso" or "autodesk" (posts of Fusion, Inventor CAM, HSMWorks).
         dialect: Option<Dialect> = None, key("cl.dialect", OneOf(&Dialect::NAMES), "\"nx\"");
-        /// Number of columns of a line that are read, for cards with sequence numbers after them. Without it all columns
-        /// are read.
+        /// Number of columns of a line that are read, for cards with sequence numbers after them. Without it all
+        /// columns are read.
         columns: Option<u32> = None, key("cl.columns", Whole(COLUMNS), "72");
         /// Words of CL data that are passed over, because they move no axis and change no state.
         inert: Vec<String> = Vec::new(), key("cl.inert", ListOf(InertWord));
-        /// Statements of the shop, and the block that is written for each. Its effect on the machine is that of its codes; that of
-        /// a code which the control does not have itself is declared in `[control] effects`. `at` states the place of a block
-        /// after the call of a tool: "before_change", "after_change" or "at_approach"; AUXFUN and PREFUN can have it, too:
-        /// `"AUXFUN/10" = { at = "after_change" }`. A block whose codes are declared "none" comes at the machine retract with the
-        /// spindle off, unless `harmless = true` confirms that they move nothing.
+        /// Statements of the shop, and the block that is written for each. Its effect on the machine is that of its
+        /// codes; that of a code which the control does not have itself is declared in `[control] effects`. `at` states
+        /// the place of a block after the call of a tool: "before_change", "after_change" or "at_approach"; AUXFUN and
+        /// PREFUN can have it, too: `"AUXFUN/10" = { at = "after_change" }`. A block whose codes are declared "none"
+        /// comes at the machine retract with the spindle off, unless `harmless = true` confirms that they move nothing.
         own_statements: Vec<OwnStatement> = Vec::new(), key("cl.words", OwnStatements);
-        /// Statements at which a probe measures from where the tool is, and their blocks: macros of the probe. A rapid leads
-        /// there; spindle and coolant are off; after the blocks the machine retracts, and everything is stated anew. Their
-        /// effect needs no declaration.
+        /// Statements at which a probe measures from where the tool is, and their blocks: macros of the probe. A rapid
+        /// leads there; spindle and coolant are off; after the blocks the machine retracts, and everything is stated
+        /// anew. Their effect needs no declaration.
         probes: Vec<OwnStatement> = Vec::new(), key("cycles.probe", Probes);
-        /// In which frame the points after a frame are that differs from the first: "main" (in it; they are mapped into the first
-        /// one of their set-up) or "first" (in the first frame of the file). Tool axes state it where its Z is tilted; a key that
-        /// they contradict is an error.
+        /// In which frame the points after a frame are that differs from the first: "main" (in it; they are mapped into
+        /// the first one of their set-up) or "first" (in the first frame of the file). Tool axes state it where its Z
+        /// is tilted; a key that they contradict is an error.
         frames: Option<Frames> = None, key("cl.frames", OneOf(&Frames::NAMES), "\"main\"");
         /// Set-ups after the first.
         set_ups: Vec<SetUpBegins> = Vec::new();
@@ -130,8 +131,8 @@ options! {
         insert: Insert = Insert::Refuse, key("cl.insert", OneOf(&Insert::NAMES));
         /// Treat INSERT/STOP as STOP.
         insert_stop: bool = false, key("cl.insert_stop", YesNo);
-        /// M codes that AUXFUN may output, and G codes that PREFUN may output. As for the blocks of `words`, the effect of a
-        /// code that the control does not have itself is declared in `[control] effects`.
+        /// M codes that AUXFUN may output, and G codes that PREFUN may output. As for the blocks of `words`, the effect
+        /// of a code that the control does not have itself is declared in `[control] effects`.
         auxfun: Vec<u32> = Vec::new(), key("cl.auxfun", ListOf(Whole(0..=LARGEST_CODE)));
         /// G codes that PREFUN may output.
         prefun: Vec<u32> = Vec::new(), also("cl.prefun", ListOf(Whole(0..=LARGEST_CODE)));
@@ -143,11 +144,11 @@ options! {
         trans_adds: bool = false, key("cl.trans", OneOf(&TRANS));
         /// Feed until the first FEDRAT, per minute. Without it CL data with a feed motion before is refused.
         default_feed_mm_per_min: Option<f64> = None, key("defaults.feed", Measure::length(Bound::Positive), "500.0");
-        /// Meaning of the numbers after the tool number of LOADTL that have no word before them, in order: "offset" (length
-        /// offset register), "length" (gauge length), "ignored".
+        /// Meaning of the numbers after the tool number of LOADTL that have no word before them, in order: "offset"
+        /// (length offset register), "length" (gauge length), "ignored".
         tool_args: Vec<ToolArg> = Vec::new(), key("cl.loadtl", ToolNumbers);
-        /// Meaning of the numbers of a CYCLE that have no word before them, in order: depth, clearance, return, step, dwell,
-        /// pitch, feed.
+        /// Meaning of the numbers of a CYCLE that have no word before them, in order: depth, clearance, return, step,
+        /// dwell, pitch, feed.
         cycle_args: Vec<(ClCycleKind, Vec<CycleArg>)> = Vec::new(), key("cl.cycle", CycleNumbers);
     }
 }
@@ -200,8 +201,8 @@ impl KeyKind for InertWord {
     }
 }
 
-/// Reads a table of statements, each of them once. `read` makes one of its key and its value; `None` where the value has a fault,
-/// which is told.
+/// Reads a table of statements, each of them once. `read` makes one of its key and its value; `None` where the value
+/// has a fault, which is told.
 fn statements<'v>(
     r: &mut KeyReader<'_>,
     value: TomlValue<'v>,

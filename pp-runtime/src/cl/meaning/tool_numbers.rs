@@ -1,10 +1,10 @@
 //! Meaning of the numbers of a tool call that have no word before them.
 //!
-//! CATIA writes the number of the tool compensation after that of the tool: `LOADTL/%MFG_TL_NUMBER,%MFG_TOOL_COMP` (*PP Word
-//! Tables and Syntaxes*, NC_COMPENSATION). The posts of Autodesk and HSMWorks (*Common ISO 4343 APT*, *CAMplete APT*) write 0,
-//! the length of the tool's body and the length offset, and *Generative Machining APT* the same with words, after IN. The body is
-//! a part of the gauge length only, so it is not used. In NCL the second number is the length: without a CAM system that is
-//! known, a configuration states the meaning.
+//! CATIA writes the number of the tool compensation after that of the tool: `LOADTL/%MFG_TL_NUMBER,%MFG_TOOL_COMP` (*PP
+//! Word Tables and Syntaxes*, NC_COMPENSATION). The posts of Autodesk and HSMWorks (*Common ISO 4343 APT*, *CAMplete
+//! APT*) write 0, the length of the tool's body and the length offset, and *Generative Machining APT* the same with
+//! words, after IN. The body is a part of the gauge length only, so it is not used. In NCL the second number is the
+//! length: without a CAM system that is known, a configuration states the meaning.
 
 use super::options::{ReadingOptions, ToolArg};
 use crate::cl::dialect::Dialect;

@@ -1,7 +1,8 @@
 //! All that CL data and configuration state about each tool, brought together.
 //!
-//! A row is a tool number with a length offset register: a tool with two registers, such as a T-slot cutter that is measured at
-//! both edges, has two. What is stated twice must agree: one number for two tools would cut the second path with the first tool.
+//! A row is a tool number with a length offset register: a tool with two registers, such as a T-slot cutter that is
+//! measured at both edges, has two. What is stated twice must agree: one number for two tools would cut the second path
+//! with the first tool.
 
 use std::collections::BTreeMap;
 
@@ -171,7 +172,8 @@ fn of_cl_data(stated: &(f64, StatedAt)) -> bool {
     stated.1 != StatedAt::Configuration
 }
 
-/// Takes a value, or returns the statement that it contradicts. What is one tool by the configuration has the sizes given there.
+/// Takes a value, or returns the statement that it contradicts. What is one tool by the configuration has the sizes
+/// given there.
 fn state(
     into: &mut Stated<f64>,
     value: f64,

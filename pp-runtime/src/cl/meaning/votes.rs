@@ -17,8 +17,8 @@ const SHORTEST_LINE_MM: f64 = 0.01;
 /// Largest number of groups of arcs that vote separately; further ones share the last group.
 const MOST_GROUPS: usize = 64;
 
-/// Vote of a line at an end of an arc, `arm` from its centre: along the tangent in the sense of traversal (`Some(true)`),
-/// against it (`Some(false)`), or none.
+/// Vote of a line at an end of an arc, `arm` from its centre: along the tangent in the sense of traversal
+/// (`Some(true)`), against it (`Some(false)`), or none.
 fn vote(line: Vector3<f64>, arm: Vector3<f64>, normal: &UnitVector3<f64>) -> Option<bool> {
     let tangent = normal.cross(&arm).normalize();
     let flat = line - normal.into_inner() * line.dot(normal);

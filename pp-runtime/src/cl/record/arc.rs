@@ -9,7 +9,8 @@ use crate::program::Rotation;
 /// Form of a CIRCLE by the count of its numbers. The sense in which the circle is traversed follows from it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CircleForm {
-    /// 4 numbers: centre and radius, across the tool axis; the sense follows from the points of the GOTO or is given (Creo).
+    /// 4 numbers: centre and radius, across the tool axis; the sense follows from the points of the GOTO or is given
+    /// (Creo).
     Four,
     /// 6 numbers: centre and axis; counter-clockwise about the axis (SolidWorks CAM).
     Six,
@@ -28,7 +29,8 @@ pub struct CircleRecord {
     pub axis: [f64; 3],
     /// Radius, if the form has one.
     pub radius: Option<f64>,
-    /// Number after the radius in the form with 11 numbers: total tolerance (NX), or degrees of the arc (*CAMplete APT* of Autodesk).
+    /// Number after the radius in the form with 11 numbers: total tolerance (NX), or degrees of the arc (*CAMplete APT*
+    /// of Autodesk).
     pub eighth: Option<f64>,
     /// Form of the record.
     pub form: CircleForm,
@@ -60,8 +62,8 @@ pub struct TangentArc {
 /// A record that defines an arc or its begin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ArcRecord {
-    /// `CIRCLE/..` with 4, 6, 7 or 11 numbers, `CLW` or `CCLW` after 7, and `TIMES,n`; `MOVARC/x,y,z,i,j,k,r,ANGLE,degrees`;
-    /// `MOVARC/CENTER,x,y,z,AXIS,i,j,k,RADIUS,r`.
+    /// `CIRCLE/..` with 4, 6, 7 or 11 numbers, `CLW` or `CCLW` after 7, and `TIMES,n`;
+    /// `MOVARC/x,y,z,i,j,k,r,ANGLE,degrees`; `MOVARC/CENTER,x,y,z,AXIS,i,j,k,RADIUS,r`.
     Circle(CircleRecord),
     /// `ARCSLP/h`: the next arc is a helix of this height, up or down.
     Slope {
@@ -125,8 +127,8 @@ impl CircleRecord {
 }
 
 /// Words for the sense of a CIRCLE; of several words for a sense the first is written. The long words are written by
-/// CAMWorks after 7 numbers with 0,0,1 as axis: of 72 arcs the 38 without a cusp at an end are tangent to the lines before and
-/// after them in this sense.
+/// CAMWorks after 7 numbers with 0,0,1 as axis: of 72 arcs the 38 without a cusp at an end are tangent to the lines
+/// before and after them in this sense.
 const SENSES: [(&str, Rotation); 4] = [
     ("CLW", Rotation::Clockwise),
     ("CCLW", Rotation::CounterClockwise),
@@ -177,15 +179,15 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     })
 }
 
-/// ARCSLP: height of the helix that follows. Its sign depends on height and sense in the script of *Mori APT*, which the GOTO and the
-/// axis of the arc state, too.
+/// ARCSLP: height of the helix that follows. Its sign depends on height and sense in the script of *Mori APT*, which
+/// the GOTO and the axis of the arc state, too.
 pub(crate) fn slope(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     let [height] = args.exactly()?;
     Ok(ArcRecord::Slope { height, at: args.all() })
 }
 
-/// MOVARC: `x,y,z,i,j,k,r,ANGLE,degrees`; `CENTER,x,y,z,AXIS,i,j,k,RADIUS,r`, counter-clockwise about the axis (script of *Mori
-/// APT*).
+/// MOVARC: `x,y,z,i,j,k,r,ANGLE,degrees`; `CENTER,x,y,z,AXIS,i,j,k,RADIUS,r`, counter-clockwise about the axis (script
+/// of *Mori APT*).
 pub(crate) fn move_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     let at = args.all();
     let mut numbers = [0.0; 7];

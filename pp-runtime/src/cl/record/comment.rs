@@ -1,9 +1,9 @@
 //! Comments that are read: frames, the cutter of Creo, and names of the CAM system.
 //!
 //! `$$-> CUTTER / d` and `$$-> CSYS / ..` (Creo) are records written as comments. `$$*CATIA0` is followed by a title
-//! line and three comment lines, each a row of the frame's matrix (CATIA, "Syntaxes Interpreted by APT Import"). Three such
-//! rows without `$$*CATIA0` before them are a frame, too, if they are a rigid motion. Every other comment is only searched
-//! for the name of the CAM system.
+//! line and three comment lines, each a row of the frame's matrix (CATIA, "Syntaxes Interpreted by APT Import"). Three
+//! such rows without `$$*CATIA0` before them are a frame, too, if they are a rigid motion. Every other comment is only
+//! searched for the name of the CAM system.
 
 use super::Record;
 use super::coordinates::{self, CoordinateRecord, FrameRecord};
@@ -35,8 +35,8 @@ impl CatiaMatrix {
         self.labelled || self.rows > 0
     }
 
-    /// Ends the matrix at a statement that is not a row; refused if rows of `$$*CATIA0` have been read, since a frame would
-    /// be lost. One or two rows without it are a comment.
+    /// Ends the matrix at a statement that is not a row; refused if rows of `$$*CATIA0` have been read, since a frame
+    /// would be lost. One or two rows without it are a comment.
     pub(crate) fn abandon(&mut self) -> Result<(), ClFault> {
         let begun = self.labelled && self.rows > 0;
         (self.labelled, self.rows) = (false, 0);
@@ -121,8 +121,8 @@ fn is_named(text: &[u8], name: &[u8]) -> bool {
 /// Begin of the text of a REMARK that is a record of Creo, and of such a comment after its `$$`.
 const ARROW: &[u8] = b"->";
 
-/// REMARK: `REMARK -> WORD / ..` is the record that newer versions of Pro/ENGINEER and Creo write as `$$-> WORD / ..`; any
-/// other text has no effect.
+/// REMARK: `REMARK -> WORD / ..` is the record that newer versions of Pro/ENGINEER and Creo write as `$$-> WORD / ..`;
+/// any other text has no effect.
 pub(crate) fn remark<'a>(args: &mut Args<'a>) -> Result<Record<'a>, ClFault> {
     let (text, at) = (args.text(), args.position());
     args.skip_rest();
@@ -135,8 +135,8 @@ pub(crate) fn remark_dialect(text: &[u8]) -> Dialect {
     if creo { Dialect::Creo } else { Dialect::Generic }
 }
 
-/// Whether the points before and after CUTCOM are those of the centre of the tool or of the contour (parameter of a sequence of
-/// Creo).
+/// Whether the points before and after CUTCOM are those of the centre of the tool or of the contour (parameter of a
+/// sequence of Creo).
 const GEOMETRY_TYPE: MajorWord =
     MajorWord { name: "CUTCOM_GEOMETRY_TYPE", forms: " / OUTPUT_ON_CENTER; / OUTPUT_ON_PROFILE" };
 

@@ -17,7 +17,7 @@ pub enum FrameBase {
     Model,
     /// The workpiece frame, in which the points are without it: MCSYS.
     Workpiece,
-    /// The same in the output of Autodesk: MCS. That of Surfcam is a view, and the points may not be in it.
+    /// The workpiece frame in the output of Autodesk: MCS. That of Surfcam is a view, and the points may not be in it.
     WorkpieceOrView,
 }
 
@@ -135,8 +135,8 @@ pub(crate) fn multi_axis(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFaul
     Ok(CoordinateRecord::MultiAxis(on))
 }
 
-/// TCP: ON before and OFF after the points of a multi-axis section, beside MULTAX (script of *Mori APT*). The points are those of
-/// the tip in any case.
+/// TCP: ON before and OFF after the points of a multi-axis section, beside MULTAX (script of *Mori APT*). The points
+/// are those of the tip in any case.
 pub(crate) fn tip_control(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
     args.one_of(&[("ON", true), ("OFF", false)]).map(CoordinateRecord::MultiAxis)
 }
@@ -160,7 +160,8 @@ pub(crate) fn matrix(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
     Ok(CoordinateRecord::Frame(FrameRecord::from_rows(&numbers, args.all())))
 }
 
-/// MCS: axes X, Y, Z and origin of the work plane (`right`, `up`, `forward`, `workOrigin` in the script of *CAMplete APT*).
+/// MCS: axes X, Y, Z and origin of the work plane (`right`, `up`, `forward`, `workOrigin` in the script of *CAMplete
+/// APT*).
 pub(crate) fn work_plane(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
     let n: [f64; 12] = args.exactly()?;
     let [x, y, z, origin] = [0, 3, 6, 9].map(|first| [n[first], n[first + 1], n[first + 2]]);

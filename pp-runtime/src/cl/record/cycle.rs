@@ -68,8 +68,8 @@ pub enum Return {
     Level(f64),
 }
 
-/// Largest number of numbers without a word in a CYCLE. They are as many as the depths of THRU after the first, two for each
-/// plate after the first.
+/// Largest number of numbers without a word in a CYCLE. They are as many as the depths of THRU after the first, two for
+/// each plate after the first.
 pub const MOST_POSITIONAL: usize = 2 * MOST_GAPS;
 
 /// Pitch of a thread as written.
@@ -118,8 +118,8 @@ pub struct CycleCall {
     pub positional: [f64; MOST_POSITIONAL],
     /// Count of the numbers without a word.
     pub positionals: u8,
-    /// Count of the numbers directly after that of DEPTH in THRU: top and bottom of each further plate. A record has no other numbers
-    /// without a word then.
+    /// Count of the numbers directly after that of DEPTH in THRU: top and bottom of each further plate. A record has no
+    /// other numbers without a word then.
     pub further_depths: u8,
     /// Place of the arguments, for messages.
     pub at: Span,

@@ -24,14 +24,14 @@ impl OwnStatement {
     /// A statement, in any case and with any blanks, and its block: `CHUCK/OPEN` and `M68`.
     ///
     /// # Errors
-    /// Says what is wrong with them: a word that is read, or whose statement changes the motions after it; a block that is
-    /// empty or not of printable ASCII characters.
+    /// Says what is wrong with them: a word that is read, or whose statement changes the motions after it; a block that
+    /// is empty or not of printable ASCII characters.
     pub fn new(statement: &str, block: &str) -> Result<Self, String> {
         Self::of(statement, &[block.to_owned()], false)
     }
 
-    /// A statement and its blocks, one or more, or none for AUXFUN and PREFUN, which have their code: `AUXFUN/10`. `place`: where
-    /// they come after the call of a tool.
+    /// A statement and its blocks, one or more, or none for AUXFUN and PREFUN, which have their code: `AUXFUN/10`.
+    /// `place`: where they come after the call of a tool.
     ///
     /// # Errors
     /// Those of [`new`](Self::new).
@@ -50,8 +50,8 @@ impl OwnStatement {
         Ok(Self { place, harmless, ..own })
     }
 
-    /// A statement at which a probe measures from where the tool is, and the blocks for it: `PROBE/BORE,20`. The word may be
-    /// CYCLE, with PROBE after it.
+    /// A statement at which a probe measures from where the tool is, and the blocks for it: `PROBE/BORE,20`. The word
+    /// may be CYCLE, with PROBE after it.
     ///
     /// # Errors
     /// Those of [`new`](Self::new), and that there is no block.

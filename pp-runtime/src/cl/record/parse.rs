@@ -69,8 +69,8 @@ pub(crate) fn parse<'a>(text: &'a [u8], given: GivenMeanings<'_>) -> Result<Reco
     }
 }
 
-/// A statement of an unknown word that is declared inert. With as many numbers as a frame has it is refused: a path without its
-/// frame is wrong.
+/// A statement of an unknown word that is declared inert. With as many numbers as a frame has it is refused: a path
+/// without its frame is wrong.
 fn inert_unless_many_numbers<'a>(text: &[u8], word_at: Span) -> Result<Record<'a>, ClFault> {
     if !has_numbers_of_a_frame(text) {
         return Ok(Record::Inert);
@@ -106,8 +106,8 @@ fn instead_of(word: &str) -> String {
 /// Begin of the lines that the Information window of NX writes before a listing; a colon follows.
 const LISTING_HEADER: [&str; 4] = ["Information listing created by", "Date", "Current work part", "Node name"];
 
-/// Whether a line is one of those around the records of a listing in the Information window of NX, which have no effect. The lines
-/// between them are those of a CLSF.
+/// Whether a line is one of those around the records of a listing in the Information window of NX, which have no
+/// effect. The lines between them are those of a CLSF.
 fn is_of_listing(text: &[u8]) -> bool {
     let after = |start: &str| {
         let begins = text.get(..start.len())?.eq_ignore_ascii_case(start.as_bytes());

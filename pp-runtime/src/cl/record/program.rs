@@ -75,8 +75,8 @@ pub(crate) fn machine_name<'a>(args: &mut Args<'a>) -> Result<Record<'a>, ClFaul
         .map_or(Record::Inert, |arg| Record::Program(ProgramRecord::MachineName(Text { bytes: arg.text, at: arg.at }))))
 }
 
-/// TOOL PATH, `/name,TOOL,toolname`. A name may contain commas, so the last `,TOOL,` ends it. The slash is part of the word:
-/// see [`major_word`](super::parse::major_word).
+/// TOOL PATH, `/name,TOOL,toolname`. A name may contain commas, so the last `,TOOL,` ends it. The slash is part of the
+/// word: see [`major_word`](super::parse::major_word).
 pub(crate) fn tool_path<'a>(args: &mut Args<'a>) -> Result<ProgramRecord<'a>, ClFault> {
     const TOOL: &[u8] = b",TOOL,";
     let (mut name, mut tool) = (Text::rest(args), None);

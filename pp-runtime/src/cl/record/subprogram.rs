@@ -23,8 +23,8 @@ pub enum SubprogramRecord {
 /// Largest number of bytes in the name of a subprogram.
 const LONGEST_NAME: usize = 32;
 
-/// Name of a subprogram: a number, or a word in capitals. In Creo it is the number of the NC sequence, unless the user names it
-/// (*Supported CL Data Commands*).
+/// Name of a subprogram: a number, or a word in capitals. In Creo it is the number of the NC sequence, unless the user
+/// names it (*Supported CL Data Commands*).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SubprogramName {
     /// A number.

@@ -80,8 +80,8 @@ impl ToolCallRecord {
 /// A record that calls, preselects or describes a tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ToolRecord {
-    /// `LOADTL/n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL][,'comment'][,NEXTTL,n]`, `LOAD/TOOL,n[,..]`;
-    /// tool 0, and `UNLOAD[/TOOL[,n]]`, leave the spindle empty.
+    /// `LOADTL/n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL][,'comment'][,NEXTTL,n]`,
+    /// `LOAD/TOOL,n[,..]`; tool 0, and `UNLOAD[/TOOL[,n]]`, leave the spindle empty.
     Call(ToolCallRecord),
     /// `SELECT/TOOL,n`, `SELCTL/n`.
     Preselect(u32),
@@ -120,8 +120,9 @@ pub(crate) fn unload(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
 
 /// LOADTL: `n[,n..][,IN,m][,LENGTH,l][,OSETNO,o][,ADJUST,h][,SPINDL,s][,MILL][,'comment'][,NEXTTL,n]`.
 ///
-/// SPINDL and MILL are words of a table of CATIA (`LOADTL/%n,ADJUST,%h,SPINDL,%s,MILL`; TURN for a turning tool): the speed
-/// has no effect until SPINDL starts the spindle. IN is written by the post *Generative Machining APT* of HSMWorks.
+/// SPINDL and MILL are words of a table of CATIA (`LOADTL/%n,ADJUST,%h,SPINDL,%s,MILL`; TURN for a turning tool): the
+/// speed has no effect until SPINDL starts the spindle. IN is written by the post *Generative Machining APT* of
+/// HSMWorks.
 pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
     let first = args.needed()?;
     let mut tool = ToolCallRecord::new(first.integer()?);
@@ -274,8 +275,9 @@ pub(crate) fn set(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClFault> {
     Err(args.not_understood(arg))
 }
 
-/// TOOLNO: describes a tool and has no effect; refused for a turning tool. CATIA leaves places empty for parameters that a
-/// tool does not have. `n,MILL,OSETNO,h,d` has its registers (script of *Mori APT*); that of the diameter is in CUTCOM, too.
+/// TOOLNO: describes a tool and has no effect; refused for a turning tool. CATIA leaves places empty for parameters
+/// that a tool does not have. `n,MILL,OSETNO,h,d` has its registers (script of *Mori APT*); that of the diameter is in
+/// CUTCOM, too.
 pub(crate) fn description(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClFault> {
     let mut places = args.clone();
     let [number, kind, word] = [(); 3].map(|()| places.next_place().flatten());
@@ -296,7 +298,8 @@ pub(crate) fn description(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClF
     Ok(None)
 }
 
-/// CUTCOM/ON,LENGTH: the register of the tool length (script of *Mori APT*), not cutter compensation; `None` for another CUTCOM.
+/// CUTCOM/ON,LENGTH: the register of the tool length (script of *Mori APT*), not cutter compensation; `None` for
+/// another CUTCOM.
 pub(crate) fn length_compensation(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClFault> {
     let mut ahead = args.clone();
     let is_of_length =

@@ -1,14 +1,15 @@
 //! PPWORD: the vocabulary of G-POST, a postprocessor of Creo.
 //!
-//! `PPWORD/word,n` gives a word its number in that vocabulary, and moves nothing. Words mean here what their name says, so a
-//! word that is read here may only have its own number: that of another word, or a word in place of a number, would give it
-//! another meaning.
+//! `PPWORD/word,n` gives a word its number in that vocabulary, and moves nothing. Words mean here what their name says,
+//! so a word that is read here may only have its own number: that of another word, or a word in place of a number,
+//! would give it another meaning.
 
 use super::Record;
 use super::words::look_up;
 use crate::cl::text::{Arg, Args, ClFault, quoted, whole_number};
 
-/// Numbers of words that are in the table of words here, in the vocabulary of IBM's APT (`aptwords.tbl`), which G-POST extends.
+/// Numbers of words that are in the table of words here, in the vocabulary of IBM's APT (`aptwords.tbl`), which G-POST
+/// extends.
 #[rustfmt::skip]
 const NUMBERS: [(&str, u32); 50] = [
     ("END", 1), ("STOP", 2), ("OPSTOP", 3), ("RAPID", 5), ("SWITCH", 6), ("RETRCT", 7), ("UNLOAD", 10), ("RESET", 15),

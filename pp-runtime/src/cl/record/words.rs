@@ -28,8 +28,8 @@ pub(crate) enum Handling {
     Inert,
     /// Refused for this reason; the user may declare it inert.
     Refused(&'static str),
-    /// Refused for this reason: the postprocessor writes it itself. The user may declare it inert, but no block takes its place.
-    /// The forms of the row have no effect.
+    /// Refused for this reason: the postprocessor writes it itself. The user may declare it inert, but no block takes
+    /// its place. The forms of the row have no effect.
     Automatic(&'static str),
     /// Refused for this reason and never inert: without it the motion after it would be wrong.
     Hazard(&'static str),
@@ -84,7 +84,8 @@ pub(crate) const CIRCLE: MajorWord = MajorWord {
 #[rustfmt::skip] // One row in one line.
 static TABLE: &[WordRow] = &[
     row("ALIGN", Hazard(MACHINE_AXES), ""),
-    // Script of *Mori APT* of Autodesk, as are MCSYS, OPNAME, TCP, `MOVARC/CENTER`, `CUTCOM/ON,LENGTH` and `TOOLNO/..,OSETNO`.
+    // Script of *Mori APT* of Autodesk, as are MCSYS, OPNAME, TCP, `MOVARC/CENTER`, `CUTCOM/ON,LENGTH` and
+    // `TOOLNO/..,OSETNO`.
     row("APPLY", Read(|args| program::mode(args, &["MILL"]).map(|()| Record::Inert)), "/MILL"),
     row("ARCSLP", Read(|args| arc::slope(args).map(Arc)), "/h before an arc: height of the helix"),
     row("AUTOPS", Read(|_| Ok(Arc(ArcRecord::AutomaticPlane))), "before TLON"),
@@ -96,8 +97,8 @@ static TABLE: &[WordRow] = &[
     // Files for G-POST: it comes where the other format has `$$-> CSYS`, with the same numbers.
     row("CAMERA", Read(|args| coordinates::matrix(args).map(Coordinates)), "/12 numbers, as `$$-> CSYS`"),
     row("CHECK", Inert, ""),
-    // x,y,z,r: *Supported CL Data Commands*; 6 numbers: files of SolidWorks CAM; 11: help of NX, script of *CAMplete APT*. Words
-    // of the sense: `arc`.
+    // x,y,z,r: *Supported CL Data Commands*; 6 numbers: files of SolidWorks CAM; 11: help of NX, script of *CAMplete
+    // APT*. Words of the sense: `arc`.
     WordRow { word: CIRCLE, handling: Read(|args| arc::circle(args).map(Arc)) },
     row("CLAMP", Automatic(CLAMPS), "/TABLE,ALL,AUTO|OFF leaves the clamps to the postprocessor"),
     row("CLEARP", Read(|args| coordinates::clearance_plane(args).map(Coordinates)), "/XYPLAN|YZPLAN|ZXPLAN,d; /a,b,c,d"),
@@ -242,8 +243,8 @@ fn cutcom<'a>(args: &mut Args<'a>) -> Result<Record<'a>, ClFault> {
     }
 }
 
-/// Words that are read for notes in the program (names, messages, sizes of cutters). Without them a note is missing, and what
-/// needs the size of a cutter is refused, so they may be declared inert.
+/// Words that are read for notes in the program (names, messages, sizes of cutters). Without them a note is missing,
+/// and what needs the size of a cutter is refused, so they may be declared inert.
 const NOTES: [&str; 6] = ["CUTTER", "MACHIN", "PARTNO", "PPRINT", "TLDATA", "TOOLNO"];
 
 impl WordRow {
@@ -357,8 +358,8 @@ pub(super) fn has_numbers_of_a_frame(text: &[u8]) -> bool {
     pieces.filter(|piece| whole_number(trimmed(piece)).is_some()).count() >= NUMBERS_OF_A_FRAME
 }
 
-/// Place of the major word; it may contain `-` and `_`. TOOL PATH is one word with a blank inside, if a slash follows: a listing of
-/// NX ends in `Tool Path Listing has 17 lines.`
+/// Place of the major word; it may contain `-` and `_`. TOOL PATH is one word with a blank inside, if a slash follows:
+/// a listing of NX ends in `Tool Path Listing has 17 lines.`
 pub(super) fn major_word(text: &[u8]) -> Span {
     let length = |text: &[u8]| {
         text.iter().take_while(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_')).count()

@@ -96,7 +96,7 @@ proptest! {
         prop_assert_eq!(found.diagnostics, expected.diagnostics);
     }
 
-    /// The same of lines that are continued, several in succession or one.
+    /// Nor does it for lines that are continued, several in succession or one.
     #[test]
     fn a_joined_statement_read_in_one_pass_has_the_meaning_it_has_else(
         lines in prop::collection::vec(
@@ -128,7 +128,7 @@ proptest! {
         prop_assert_eq!(found.diagnostics, expected.diagnostics);
     }
 
-    /// The same of circles, whose axis and ends are right where the text of their numbers is.
+    /// Nor does it for circles, whose axis and ends are right where the text of their numbers is.
     #[test]
     fn a_circle_read_in_one_pass_has_the_meaning_it_has_else(
         lines in prop::collection::vec(

@@ -1,7 +1,8 @@
 //! The arguments of a record: words and numbers between commas.
 //!
 //! [`Args`] returns them from left to right, and names their major word in messages. An empty place between commas is
-//! an error unless the argument has no effect, and so is an argument that the record does not take: see [`Args::finish`].
+//! an error unless the argument has no effect, and so is an argument that the record does not take: see
+//! [`Args::finish`].
 
 use super::blanks::{is_blank, skip_blanks};
 use super::fault::{ClFault, Span, quoted};
@@ -302,8 +303,8 @@ impl<'a> Args<'a> {
         Ok(count)
     }
 
-    /// Takes arguments from the left as long as they are finite numbers, each in one pass, and returns their count. Numbers
-    /// beyond the size of `into` are only counted.
+    /// Takes arguments from the left as long as they are finite numbers, each in one pass, and returns their count.
+    /// Numbers beyond the size of `into` are only counted.
     pub(crate) fn plain_numbers(&mut self, into: &mut [f64]) -> usize {
         let mut count = 0;
         while self.more {

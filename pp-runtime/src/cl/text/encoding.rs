@@ -1,7 +1,7 @@
 //! Encoding of texts: UTF-8, else Latin-1.
 //!
-//! CAM systems write comments and names in UTF-8 or in the code page of the computer. A text in which bytes above ASCII happen
-//! to be UTF-8 is one; the code pages of Western Europe are Latin-1 in all letters.
+//! CAM systems write comments and names in UTF-8 or in the code page of the computer. A text in which bytes above ASCII
+//! happen to be UTF-8 is one; the code pages of Western Europe are Latin-1 in all letters.
 
 use std::borrow::Cow;
 

@@ -77,8 +77,8 @@ pub(crate) struct NumberLine<const N: usize> {
     other: Box<LineShape<N>>,
     /// Number of the line before the last line of that shape.
     before_other: u64,
-    /// Marks of the last two lines that were read number by number, the last one first; the same of lines with their digits at the
-    /// same places, and seldom that of others.
+    /// Marks of the last two lines that were read number by number, the last one first; the same of lines with their
+    /// digits at the same places, and seldom that of others.
     marks: [u64; 2],
 }
 
@@ -182,8 +182,9 @@ impl<R: Read> Lexer<R> {
         }
     }
 
-    /// Reads the next line in one pass, if it is a word, a slash, and short numbers between commas of which `make` makes a
-    /// value of the first `USED`; any other line is left to [`next`](Self::next). Nearly every line of a file is such a GOTO.
+    /// Reads the next line in one pass, if it is a word, a slash, and short numbers between commas of which `make`
+    /// makes a value of the first `USED`; any other line is left to [`next`](Self::next). Nearly every line of a file
+    /// is such a GOTO.
     #[inline(always)]
     pub(crate) fn next_numbers<const N: usize, const USED: usize, T>(
         &mut self,
@@ -415,8 +416,8 @@ impl<R: Read> Lexer<R> {
     }
 }
 
-/// The numbers of a line that has not the shape of the last one, and the number of its bytes with its end. `number`: of the line
-/// before.
+/// The numbers of a line that has not the shape of the last one, and the number of its bytes with its end. `number`: of
+/// the line before.
 #[inline(never)]
 fn unlike_the_last<const N: usize, const USED: usize>(
     line: &[u8],

@@ -1,8 +1,8 @@
 //! The shape of a line of numbers, with which the lines after it are compared.
 //!
-//! CAM systems write numbers with fixed decimals, so that a line mostly has its digits at the places where the line before had
-//! them, and the same bytes at all others. That is compared for the whole line at once, and the digits then need no comparison of
-//! their own.
+//! CAM systems write numbers with fixed decimals, so that a line mostly has its digits at the places where the line
+//! before had them, and the same bytes at all others. That is compared for the whole line at once, and the digits then
+//! need no comparison of their own.
 
 use super::fault::Span;
 use super::number::{DigitPlaces, NumberShape, SHORT_NUMBER, two_numbers};
@@ -71,8 +71,8 @@ impl<const N: usize> LineShape<N> {
         at: Span { start: 0, end: 0 },
     };
 
-    /// Takes the shape of a line of `count` numbers, each a byte after the one before; `at` is their place. `text` begins with the line
-    /// and goes on. A long line has none.
+    /// Takes the shape of a line of `count` numbers, each a byte after the one before; `at` is their place. `text`
+    /// begins with the line and goes on. A long line has none.
     #[inline(never)]
     pub(super) fn take(&mut self, text: &[u8], length: usize, (count, at): (usize, Span)) {
         self.length = 0;
@@ -96,7 +96,8 @@ impl<const N: usize> LineShape<N> {
         (self.length, self.count, self.at) = (length, count, at);
     }
 
-    /// The first `USED` numbers of the line at the start of `text`, if it has this shape, and the number of its bytes with its end.
+    /// The first `USED` numbers of the line at the start of `text`, if it has this shape, and the number of its bytes
+    /// with its end.
     #[inline(always)]
     pub(super) fn read<const USED: usize>(&self, text: &[u8; LINE_AND_NUMBER]) -> Option<(ShortNumbers<USED>, usize)> {
         if !Shortcut::LineShapes.is_on() {
@@ -209,7 +210,8 @@ mod tests {
     }
 
     proptest! {
-        /// Lines of a few shapes in any order: those of two shapes that alternate, and of one in succession, are read at once.
+        /// Lines of a few shapes in any order: those of two shapes that alternate, and of one in succession, are read
+        /// at once.
         #[test]
         fn lines_of_several_shapes_are_read_as_each_alone(
             shapes in proptest::collection::vec(

@@ -1,8 +1,8 @@
 //! Text of CL data: bytes to statements, and the arguments of a statement to words and numbers.
 //!
-//! `lexer` splits the input into statements, `line_shape` reads a line of numbers like the line before, `args` splits the
-//! arguments of a statement, `number` reads decimal numbers, `encoding` letters, `fault` holds what is wrong with a statement and where. No word of
-//! CL data is known here.
+//! `lexer` splits the input into statements, `line_shape` reads a line of numbers like the line before, `args` splits
+//! the arguments of a statement, `number` reads decimal numbers, `encoding` letters, `fault` holds what is wrong with a
+//! statement and where. No word of CL data is known here.
 
 mod args;
 mod blanks;

@@ -27,8 +27,8 @@ const EXACT_DIGITS: usize = 15;
 /// Bytes that [`ShortNumber::read`] may look at.
 pub(crate) const SHORT_NUMBER: usize = 40;
 
-/// Blanks, sign, digits and point of a short number: one whose point is among its first eight bytes, with fifteen digits at
-/// most, and no exponent. Nearly every number of a file is short.
+/// Blanks, sign, digits and point of a short number: one whose point is among its first eight bytes, with fifteen
+/// digits at most, and no exponent. Nearly every number of a file is short.
 #[derive(Debug, Clone, Copy)]
 struct NumberLayout {
     /// Index of the first digit, or of the point before it.
@@ -47,12 +47,12 @@ pub(super) struct ShortNumber {
     pub(super) value: f64,
     /// Index of the byte after the number.
     pub(super) end: usize,
-    /// The same for all numbers with sign, digits and point at the same places.
+    /// Equal for all numbers with sign, digits and point at the same places.
     pub(super) mark: u64,
 }
 
-/// Where the digits of a short number are. Where that is known in advance, they are moved into the bytes of one integer and summed
-/// there.
+/// Where the digits of a short number are. Where that is known in advance, they are moved into the bytes of one integer
+/// and summed there.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NumberShape {
     /// Index of the byte after the number.
@@ -66,8 +66,8 @@ pub(super) struct NumberShape {
 /// Places of the digits of a number, of which there are eight at most.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct DigitPlaces {
-    /// Index of the first byte of the number, bits of the digits before the point in eight bytes from there on, and their rotation
-    /// to their places among eight.
+    /// Index of the first byte of the number, bits of the digits before the point in eight bytes from there on, and
+    /// their rotation to their places among eight.
     at: usize,
     whole_bits: u64,
     whole_rotation: u32,
@@ -94,7 +94,7 @@ impl DigitPlaces {
         scale: 1.0,
     };
 
-    /// The same in a text in which the number begins at an index.
+    /// These places in a text in which the number begins at an index.
     pub(super) fn after(self, start: usize) -> Self {
         Self { at: self.at + start, decimals_at: self.decimals_at + start, ..self }
     }
@@ -109,8 +109,8 @@ impl DigitPlaces {
 }
 
 impl NumberLayout {
-    /// That of the number at the start of `text`, blanks before it included; `None` if it is not short, or no byte after it ends a
-    /// number of a list.
+    /// That of the number at the start of `text`, blanks before it included; `None` if it is not short, or no byte
+    /// after it ends a number of a list.
     #[inline(always)]
     fn of(text: &[u8; SHORT_NUMBER]) -> Option<Self> {
         let mut first = 0;
@@ -137,7 +137,8 @@ impl NumberLayout {
         } else {
             (0, point)
         };
-        // What may follow a number of a list comes before the point in the alphabet: a comma, a blank, the end of the line.
+        // What may follow a number of a list comes before the point in the alphabet: a comma, a blank, the end of the
+        // line.
         let is_short = (1..=EXACT_DIGITS).contains(&(whole + decimals)) && text[end] < b'.';
         is_short.then_some(Self { first, point, decimals, end, negative })
     }
@@ -151,8 +152,8 @@ impl NumberLayout {
 }
 
 impl ShortNumber {
-    /// The number at the start of `text`, blanks before it included; `None` if it is not short, or no byte after it ends a number of
-    /// a list.
+    /// The number at the start of `text`, blanks before it included; `None` if it is not short, or no byte after it
+    /// ends a number of a list.
     #[inline(always)]
     pub(super) fn read(text: &[u8; SHORT_NUMBER]) -> Option<Self> {
         let layout = NumberLayout::of(text)?;
@@ -237,8 +238,8 @@ const POWERS: [i64; 8] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_
 
 const ZEROS: u64 = 0x3030_3030_3030_3030;
 
-/// Eight bytes from `at` on, the first in the lowest byte. The index is one of as many, a power of two, as have eight bytes after
-/// them; it is larger only where there are no digits.
+/// Eight bytes from `at` on, the first in the lowest byte. The index is one of as many, a power of two, as have eight
+/// bytes after them; it is larger only where there are no digits.
 #[inline(always)]
 fn u64_at<const LENGTH: usize>(text: &[u8; LENGTH], at: usize) -> u64 {
     let indices = const { 1 << (LENGTH - 7).ilog2() };
@@ -297,7 +298,8 @@ pub(crate) fn number_at_start(text: &[u8]) -> Option<(f64, usize)> {
     Some((if sign == Some(b'-') { -magnitude } else { magnitude }, at))
 }
 
-/// Magnitude of a number with an exponent or with many digits, and its end. Its digits begin at `start` and end at `at`.
+/// Magnitude of a number with an exponent or with many digits, and its end. Its digits begin at `start` and end at
+/// `at`.
 #[cold]
 fn long_number(
     text: &[u8],
@@ -432,8 +434,8 @@ mod tests {
         }
     }
 
-    /// The number at the start of `text`, which may be shorter than the bytes that are looked at, and the count of its bytes. By its
-    /// shape it is the same.
+    /// The number at the start of `text`, which may be shorter than the bytes that are looked at, and the count of its
+    /// bytes. By its shape it is the same.
     fn read(text: &str) -> Option<(f64, usize)> {
         let mut room = [b','; SHORT_NUMBER];
         let bytes = text.len().min(SHORT_NUMBER);

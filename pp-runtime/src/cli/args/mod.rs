@@ -56,7 +56,8 @@ pub(crate) enum Command {
     Config(ConfigArgs),
     /// Print the derivation of the kinematics of this machine, and a jog sheet
     Explain(ExplainArgs),
-    /// Write the kinematics of this machine for its control, as C, or as a sheet to compare with the control's parameters
+    /// Write the kinematics of this machine for its control, as C, or as a sheet to compare with the control's
+    /// parameters
     Kinematics(KinematicsArgs),
     /// Make a folder with the postprocessor of another machine: declaration, configuration, sample and tests
     New(NewArgs),
@@ -72,8 +73,8 @@ pub(crate) struct NewArgs {
     /// Folder to make; its name is that of the postprocessor
     #[arg(value_name = "FOLDER")]
     pub(crate) folder: PathBuf,
-    /// Folder `pp-runtime` of a checkout on which the postprocessor depends. Without it the checkout from which this binary
-    /// was built, or the version of this binary from the registry
+    /// Folder `pp-runtime` of a checkout on which the postprocessor depends. Without it the checkout from which this
+    /// binary was built, or the version of this binary from the registry
     #[arg(long, value_name = "DIR")]
     pub(crate) pp_runtime: Option<PathBuf>,
 }
@@ -104,10 +105,12 @@ pub(crate) struct KinematicsArgs {
     /// A kinematics module of LinuxCNC, with a simulated machine that runs it
     #[arg(long, group = "target", requires = "output")]
     linuxcnc: bool,
-    /// Compare sheet: expected pins and INI lines of LinuxCNC's own module for the machine, where it brings one, next to blanks
+    /// Compare sheet: expected pins and INI lines of LinuxCNC's own module for the machine, where it brings one, next
+    /// to blanks
     #[arg(long, group = "target")]
     linuxcnc_own: bool,
-    /// Compare sheet: expected swivel data and machine data of CYCLE800 and TRAORI, next to blanks for those of the machine
+    /// Compare sheet: expected swivel data and machine data of CYCLE800 and TRAORI, next to blanks for those of the
+    /// machine
     #[arg(long, group = "target")]
     siemens: bool,
     /// Compare sheet: expected parameters 19666 to 19714 of five-axis machining, next to blanks
@@ -183,20 +186,22 @@ pub(crate) struct ExplainArgs {
     /// Print the list of all words of CL data instead: read, ignored (inert) or refused
     #[arg(long)]
     pub(crate) cl: bool,
-    /// Print the codes of `--control` instead that the check reads: meaning, states read and changed, axes moved, words that
-    /// the code takes (those without brackets are needed), group of which a block has one code, source
+    /// Print the codes of `--control` instead that the check reads: meaning, states read and changed, axes moved, words
+    /// that the code takes (those without brackets are needed), group of which a block has one code, source
     #[arg(long, conflicts_with_all = ["latex", "cl", "proof_program"])]
     pub(crate) codes: bool,
-    /// Print the states of `--control` instead that change the meaning of words: what a program before, a screen, the operator or the
-    /// machine builder may have left, and whether the word has it, the program sets it, a guard compares it, or the header states it
+    /// Print the states of `--control` instead that change the meaning of words: what a program before, a screen, the
+    /// operator or the machine builder may have left, and whether the word has it, the program sets it, a guard
+    /// compares it, or the header states it
     #[arg(long, conflicts_with_all = ["latex", "cl", "codes", "verify", "proof_program", "drawing"])]
     pub(crate) states: bool,
-    /// Print a proof program for the machine instead: the tip stays on one point while each rotary axis runs its travel.
-    /// With axis positions it shows the declaration; with `mode = "tcp"` in the configuration, the data of the control
+    /// Print a proof program for the machine instead: the tip stays on one point while each rotary axis runs its
+    /// travel. With axis positions it shows the declaration; with `mode = "tcp"` in the configuration, the data of the
+    /// control
     #[arg(long, conflicts_with_all = ["latex", "cl"], group = "of_configuration")]
     pub(crate) proof_program: bool,
-    /// Print a drawing instead, SVG: the machine at zero from two sides, with its dimensions, and which way the positive words
-    /// rotate it
+    /// Print a drawing instead, SVG: the machine at zero from two sides, with its dimensions, and which way the
+    /// positive words rotate it
     #[arg(long, conflicts_with_all = ["latex", "cl", "codes", "verify", "proof_program"], group = "of_configuration")]
     pub(crate) drawing: bool,
     #[command(flatten)]
@@ -379,10 +384,12 @@ pub(crate) struct SimulateArgs {
 #[cfg(feature = "simulate")]
 #[derive(Debug, Args)]
 pub(crate) struct SimulationArgs {
-    /// Stock as a closed STL file, mm, in the coordinates of the CL data; without it that of `[solids]`, or the box of `[stock]`
+    /// Stock as a closed STL file, mm, in the coordinates of the CL data; without it that of `[solids]`, or the box of
+    /// `[stock]`
     #[arg(long, value_name = "S.stl", value_parser = file_name)]
     pub(crate) stock: Option<PathBuf>,
-    /// Tool table of the machine: its lengths count in the simulation. LinuxCNC tool.tbl, Heidenhain TOOL.T, or G10 lines
+    /// Tool table of the machine: its lengths count in the simulation. LinuxCNC tool.tbl, Heidenhain TOOL.T, or G10
+    /// lines
     #[arg(long, value_name = "FILE", value_parser = file_name)]
     pub(crate) tool_table: Option<PathBuf>,
     /// Save the machined stock as an STL file, in the coordinates of the CL data: the stock of the next program
@@ -391,8 +398,8 @@ pub(crate) struct SimulationArgs {
     /// Distance of the lines of the stock, mm: nothing thinner is seen. Without it chosen from the size of the stock
     #[arg(long = "pitch", value_name = "MM", value_parser = pitch)]
     pub(crate) pitch_mm: Option<f64>,
-    /// Design as a closed STL file, mm, in the coordinates of the CL data: gouges and rest material are measured from it.
-    /// Without it that of `[solids]`
+    /// Design as a closed STL file, mm, in the coordinates of the CL data: gouges and rest material are measured from
+    /// it. Without it that of `[solids]`
     #[arg(long, value_name = "D.stl", value_parser = file_name)]
     pub(crate) design: Option<PathBuf>,
     /// Largest gouge that is no finding, mm. Without it the tolerance of the CL data
@@ -401,7 +408,8 @@ pub(crate) struct SimulationArgs {
     /// Largest rest material that is no finding, mm. Without it the tolerance of the CL data
     #[arg(long = "rest-tolerance", value_name = "MM", value_parser = deviation)]
     pub(crate) rest_tolerance_mm: Option<f64>,
-    /// Tolerance with which the triangles of the design were made, mm: it is added to the other two. Without it that of `[solids]`, else 0
+    /// Tolerance with which the triangles of the design were made, mm: it is added to the other two. Without it that of
+    /// `[solids]`, else 0
     #[arg(long = "design-tolerance", value_name = "MM", value_parser = deviation)]
     pub(crate) design_tolerance_mm: Option<f64>,
     /// Exit status 1 for findings of these kinds, separated by commas: `collision`, `gouge`
@@ -556,8 +564,8 @@ pub(crate) struct SetUpArgs {
     /// Write block numbers
     #[arg(long)]
     pub(crate) line_numbers: bool,
-    /// Remove material of a simulation with N threads, and read CL data ahead in threads of its own if N is above 1. Without it, N is
-    /// the number of processors
+    /// Remove material of a simulation with N threads, and read CL data ahead in threads of its own if N is above 1.
+    /// Without it, N is the number of processors
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroU8>,
     /// Show no progress
@@ -646,8 +654,8 @@ impl SetUpArgs {
     }
 }
 
-/// The command line of a machine. Help and errors call the command by the name of its file. `own`: controls besides those of
-/// this crate; the first is the default.
+/// The command line of a machine. Help and errors call the command by the name of its file. `own`: controls besides
+/// those of this crate; the first is the default.
 pub(crate) fn definition(machine: &str, own: &[&'static dyn Control], args: &[OsString]) -> clap::Command {
     let stem =
         args.first().and_then(|name| Path::new(name).file_stem()).map(|stem| stem.to_string_lossy().into_owned());
@@ -670,7 +678,8 @@ pub(crate) fn definition(machine: &str, own: &[&'static dyn Control], args: &[Os
     command
 }
 
-/// `control.name` of the configuration that the arguments name, if it can be read; where it cannot, the command says so.
+/// `control.name` of the configuration that the arguments name, if it can be read; where it cannot, the command says
+/// so.
 fn control_of_file(args: &[OsString]) -> Option<String> {
     let of_option = |index: usize| match args[index].to_str()? {
         "--config" => args.get(index + 1).map(PathBuf::from),

@@ -87,8 +87,8 @@ fn in_solids(set_up: &SetUp, fault: SolidFault) -> Failure {
     }
 }
 
-/// A closed body of an option or of `[solids]`, rotated as the part is clamped: so is the CL data. With its name and its
-/// tolerance, mm.
+/// A closed body of an option or of `[solids]`, rotated as the part is clamped: so is the CL data. With its name and
+/// its tolerance, mm.
 fn closed(
     set_up: &SetUp,
     file: Option<&Path>,

@@ -1,7 +1,7 @@
 //! `simulate IN.cls [OUT.nc]`: the written program moves the machine and cuts a stock.
 //!
-//! Without OUT.nc the CL data is posted to a temporary file. The program is executed by the check's reader, in one pass and in
-//! memory that does not grow with its length.
+//! Without OUT.nc the CL data is posted to a temporary file. The program is executed by the check's reader, in one pass
+//! and in memory that does not grow with its length.
 
 mod after_posting;
 mod against_design;

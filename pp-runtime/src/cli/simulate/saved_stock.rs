@@ -9,7 +9,8 @@ use crate::simulate::{Mesh, TriDexel, TriangleSurface};
 use super::super::outcome::Failure;
 use super::super::output_file::OutputFile;
 
-/// Writes the stock, in the coordinates of the CL data of the set-up in which it lies; returns a sentence about the file.
+/// Writes the stock, in the coordinates of the CL data of the set-up in which it lies; returns a sentence about the
+/// file.
 pub(super) fn save(set_up: &SetUp, number: u32, stock: &TriDexel, path: &Path) -> Result<String, Failure> {
     let unwritable = |error| Failure::unwritable(path, error);
     let (vertices, faces) = stock.surface();

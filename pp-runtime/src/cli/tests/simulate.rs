@@ -301,7 +301,8 @@ fn a_motion_that_is_too_low_is_a_gouge_at_its_block_and_its_cl_line() {
     assert_eq!(low.status, Status::Rejected, "{}", low.errors);
     assert_eq!(json["design"]["gouge_count"], 1, "{json}");
     let gouge = &json["design"]["gouges"][0];
-    // The mill's rear edge is at X45 at the end, so the deepest line of the block, at X39.5, has 0.3 (39.5 + 5 + 10) / 60.
+    // The mill's rear edge is at X45 at the end, so the deepest line of the block, at X39.5, has 0.3
+    // (39.5 + 5 + 10) / 60.
     let depth = gouge["deviation_mm"].as_f64().expect("a depth");
     assert!((depth - 0.3 * 54.5 / 60.0).abs() < 4e-3, "{gouge}");
     assert_eq!((&gouge["cl_line"], &gouge["tool"]), (&16.into(), &1.into()), "{gouge}");

@@ -10,8 +10,8 @@ use super::spellings::Spellings;
 
 /// A CNC control: its table of codes, and methods for what no table can hold.
 ///
-/// A control of one's own is based on one of this crate: its table states the differences (`..Fanuc.spellings().clone()`), and every
-/// method that it does not have is that of its [`base`](Self::base).
+/// A control of one's own is based on one of this crate: its table states the differences
+/// (`..Fanuc.spellings().clone()`), and every method that it does not have is that of its [`base`](Self::base).
 ///
 /// ```
 /// # use std::sync::LazyLock;
@@ -46,7 +46,8 @@ pub trait Control: Sync {
     /// Table of the codes.
     fn spellings(&self) -> &'static Spellings;
 
-    /// The control whose methods this one has where it has none of its own, and whose language its programs are read back in.
+    /// The control whose methods this one has where it has none of its own, and whose language its programs are read
+    /// back in.
     fn base(&self) -> Option<&'static dyn Control> {
         None
     }
@@ -56,10 +57,12 @@ pub trait Control: Sync {
         self.base().map_or(self.spellings().name, Control::family)
     }
 
-    /// Effects of the lines and words that the [`family`](Self::family) does not have, or has with another meaning; as in
-    /// `[control] effects` of the configuration. The check refuses what is neither in the language of the family nor here.
+    /// Effects of the lines and words that the [`family`](Self::family) does not have, or has with another meaning; as
+    /// in `[control] effects` of the configuration. The check refuses what is neither in the language of the family nor
+    /// here.
     ///
-    /// A line that changes the tool by a macro has its text as in the table: `("G65 P9001 T{tool}", LineEffect::ToolChange)`.
+    /// A line that changes the tool by a macro has its text as in the table:
+    /// `("G65 P9001 T{tool}", LineEffect::ToolChange)`.
     fn effects(&self) -> &'static [(&'static str, LineEffect)] {
         self.base().map_or(&[], Control::effects)
     }
@@ -112,20 +115,21 @@ pub trait Control: Sync {
         self.base().map_or_else(Vec::new, |base| base.length_guard(guard))
     }
 
-    /// Blocks that stop the program with a message if the radius of the tool is larger than its wear can be. Empty if the
-    /// control cannot compare it.
+    /// Blocks that stop the program with a message if the radius of the tool is larger than its wear can be. Empty if
+    /// the control cannot compare it.
     fn radius_guard(&self, guard: &RadiusGuard) -> Vec<String> {
         self.base().map_or_else(Vec::new, |base| base.radius_guard(guard))
     }
 
-    /// Blocks that stop the program with a message if a rotary axis is not at its position, apart from whole turns, after the
-    /// control has tilted a plane. Empty if the control cannot compare them.
+    /// Blocks that stop the program with a message if a rotary axis is not at its position, apart from whole turns,
+    /// after the control has tilted a plane. Empty if the control cannot compare them.
     fn plane_guard(&self, guard: &PlaneGuard) -> Vec<String> {
         self.base().map_or_else(Vec::new, |base| base.plane_guard(guard))
     }
 
-    /// Blocks that stop the program with a message if a rotation, a scale, a mirror or a shift that lasts lies over the work offset in
-    /// force. `label`: a number that occurs once among these guards. Empty if the control cannot compare them.
+    /// Blocks that stop the program with a message if a rotation, a scale, a mirror or a shift that lasts lies over the
+    /// work offset in force. `label`: a number that occurs once among these guards. Empty if the control cannot compare
+    /// them.
     fn offset_guard(&self, label: u32) -> Vec<String> {
         self.base().map_or_else(Vec::new, |base| base.offset_guard(label))
     }

@@ -9,29 +9,30 @@
 //! `G43` takes their sum, and so does the guard. Both are in the unit of the program. `#3000` stops with an alarm of at
 //! most 26 characters.
 //!
-//! `G91 G28 Z0.` moves Z to the reference position, through the point where it is. It cancels the length offset on its way
-//! there, as `G53` does (B-63844EN, p. 204).
+//! `G91 G28 Z0.` moves Z to the reference position, through the point where it is. It cancels the length offset on its
+//! way there, as `G53` does (B-63844EN, p. 204).
 //!
-//! R of `G05.1 Q1` is the level of machining condition selection, an option: 1 for speed to 10 for accuracy. Autodesk's public
-//! post for Fanuc writes it (`setSmoothing`); the range is from memory.
+//! R of `G05.1 Q1` is the level of machining condition selection, an option: 1 for speed to 10 for accuracy. Autodesk's
+//! public post for Fanuc writes it (`setSmoothing`); the range is from memory.
 //!
 //! D is a radius where parameter 5004#2 is 0, and a diameter where it is 1 (from memory).
 //!
-//! In `G95` F of a thread is its pitch, as in Autodesk's public posts for Fanuc and Haas (`useG95forTapping`). F of an inch program
-//! has four decimals: with a decimal point the control takes five (parameter 1404#2, from memory). F of `G93` has one range in
-//! both units (B-62764EN/01, G93).
+//! In `G95` F of a thread is its pitch, as in Autodesk's public posts for Fanuc and Haas (`useG95forTapping`). F of an
+//! inch program has four decimals: with a decimal point the control takes five (parameter 1404#2, from memory). F of
+//! `G93` has one range in both units (B-62764EN/01, G93).
 //!
 //! `G43.4 H` starts tip control in the block that moves to the first point, which is one of length compensation only
-//! (A-79348E, p. 16): never with rotary words, never alone. X and Y are over this point before it: over a tilted table in
-//! `G68.2`, which `G69` ends, as in Autodesk's public post for Fanuc (`writeInitialPositioning`), and the rotary words are
-//! written again after it. `G49` ends tip control in the block of `G53`, as B-63844EN, p. 204, has it for `G43`. Parameter
-//! 19696#5 selects the frame of its coordinates: 0 that of the table at the angle that it has at `G43.4`, 1 one that does not
-//! rotate (B-63783EN, p. 1116; A-79348E, p. 19). P of `G43.4` and `G43.5` belongs to tool posture control, an option: 0
-//! rotates the rotary axes evenly, 1 the tool axis in a plane; without P parameter 19604#0 decides (A-79294E/05, p. 3 and
-//! 11).
+//! (A-79348E, p. 16): never with rotary words, never alone. X and Y are over this point before it: over a tilted table
+//! in `G68.2`, which `G69` ends, as in Autodesk's public post for Fanuc (`writeInitialPositioning`), and the rotary
+//! words are written again after it. `G49` ends tip control in the block of `G53`, as B-63844EN, p. 204, has it for
+//! `G43`. Parameter 19696#5 selects the frame of its coordinates: 0 that of the table at the angle that it has at
+//! `G43.4`, 1 one that does not rotate (B-63783EN, p. 1116; A-79348E, p. 19). P of `G43.4` and `G43.5` belongs to tool
+//! posture control, an option: 0 rotates the rotary axes evenly, 1 the tool axis in a plane; without P parameter
+//! 19604#0 decides (A-79294E/05, p. 3 and 11).
 //!
-//! `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` rotates the axes. Of several poses it takes the one that rotates the master axis least (B-63784EN, tool axis direction control), so the axes are
-//! rotated to the planned pose before it.
+//! `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` rotates the axes. Of several poses it takes
+//! the one that rotates the master axis least (B-63784EN, tool axis direction control), so the axes are rotated to the
+//! planned pose before it.
 
 use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};
@@ -71,8 +72,8 @@ static SPELLINGS: Spellings = Spellings {
         "D must hold wear only",
     ],
     arcs: ArcCodes {
-        // Parameter 3410, 0.01 mm or more on machines in use (from memory: no public page was found). A smaller value than the
-        // control's only makes chords of an arc that it would take.
+        // Parameter 3410, 0.01 mm or more on machines in use (from memory: no public page was found). A smaller value
+        // than the control's only makes chords of an arc that it would take.
         radius_tolerance_mm: 0.002,
         ..ArcCodes::ISO
     },
@@ -87,7 +88,8 @@ static SPELLINGS: Spellings = Spellings {
         },
         form: CycleForm::Codes(CycleCodes {
             thread: ThreadCodes::Cycle { codes: ["G84", "G74"], rigid: "M29 S{speed}" },
-            // Q is the shift without its direction, which parameter 5148 has (6240 of the 15i: operator's manual, p. 315).
+            // Q is the shift without its direction, which parameter 5148 has (6240 of the 15i: operator's manual, p.
+            // 315).
             fine_bore: "G76",
             bore_setting: "parameter 5148",
             dwell: "P{milliseconds}",

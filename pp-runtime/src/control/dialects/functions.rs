@@ -46,7 +46,8 @@ impl ControlFunction {
 pub enum LineEffect {
     /// Nothing that the check reads.
     None,
-    /// It clamps work, or sets it free. The machine has retracted, with the spindle off; so with a chuck, a pallet and a door.
+    /// It clamps work, or sets it free. The machine has retracted, with the spindle off; so with a chuck, a pallet and
+    /// a door.
     Clamp,
     /// It opens or closes a chuck.
     Chuck,
@@ -66,8 +67,8 @@ pub enum LineEffect {
     StateLost,
     /// It measures; the positions of the axes are unknown afterwards.
     Measures,
-    /// The tool of its field `{tool}` is in the spindle afterwards, as after the tool change of the control: spindle off, the
-    /// positions of the axes unknown. For whole lines only, by their text as configured: `G65 P9001 T{tool}`.
+    /// The tool of its field `{tool}` is in the spindle afterwards, as after the tool change of the control: spindle
+    /// off, the positions of the axes unknown. For whole lines only, by their text as configured: `G65 P9001 T{tool}`.
     ToolChange,
 }
 

@@ -7,31 +7,32 @@
 //! in the unit of the machine, which is that of the program; `G43` takes their sum. Reading them stops the look-ahead
 //! (Haas mill manual 96-8000, macros). `#3000` stops with an alarm.
 //!
-//! F of `G93` is at most 9999.99, as in Autodesk's public posts for Haas (`setMultiAxisFeedrate`); the page of G93 of Haas
-//! states no limit.
+//! F of `G93` is at most 9999.99, as in Autodesk's public posts for Haas (`setMultiAxisFeedrate`); the page of G93 of
+//! Haas states no limit.
 //!
-//! D is a radius or a diameter, as setting 40 states (mill manual, setting 40; from memory). `;` is the end of a block, so no
-//! comment holds one.
+//! D is a radius or a diameter, as setting 40 states (mill manual, setting 40; from memory). `;` is the end of a block,
+//! so no comment holds one.
 //!
 //! `G234 H` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero. Before it
-//! `G254` moves the zero of the words with the table, whose axes stay those of the machine: X and Y come over the approach
-//! point, `G255` ends it, and the block of `G234` moves Z alone (`prepositionDWO` in Autodesk's public post for Haas; `G254`
-//! is an option, the entry of B in the work offset is 0: UMC manual, p. 56, and the page of G254). `G49` ends tip control in
-//! the block of `G53`.
+//! `G254` moves the zero of the words with the table, whose axes stay those of the machine: X and Y come over the
+//! approach point, `G255` ends it, and the block of `G234` moves Z alone (`prepositionDWO` in Autodesk's public post
+//! for Haas; `G254` is an option, the entry of B in the work offset is 0: UMC manual, p. 56, and the page of G254).
+//! `G49` ends tip control in the block of `G53`.
 //!
-//! In `G95` F of a thread is its pitch, as in Autodesk's public posts for Haas (`useG95forTapping`). F of an inch program has four
-//! decimals, from memory; Autodesk's public post for the NGC writes three (`feedFormat`, 2 in mm). With three a thread of 80 threads
-//! per inch at 101 rev/min is off by 0.04 %.
+//! In `G95` F of a thread is its pitch, as in Autodesk's public posts for Haas (`useG95forTapping`). F of an inch
+//! program has four decimals, from memory; Autodesk's public post for the NGC writes three (`feedFormat`, 2 in mm).
+//! With three a thread of 80 threads per inch at 101 rev/min is off by 0.04 %.
 //!
-//! `G91 G28 Z0.` moves Z to machine zero, through the point where it is, and cancels the length offset (mill manual 96-8000,
-//! G28).
+//! `G91 G28 Z0.` moves Z to machine zero, through the point where it is, and cancels the length offset (mill manual
+//! 96-8000, G28).
 //!
-//! In mode "plane" the same `G254` is in force for the whole operation: after all rotary motion, then X and Y in one block and Z in
-//! another; `G28`, `G53` and `M06` ignore it, and `G255` ends it before an axis rotates (UMC manual, p. 56, and the page of G254).
+//! In mode "plane" the same `G254` is in force for the whole operation: after all rotary motion, then X and Y in one
+//! block and Z in another; `G28`, `G53` and `M06` ignore it, and `G255` ends it before an axis rotates (UMC manual, p.
+//! 56, and the page of G254).
 //!
-//! `G268` tilts a plane instead (`control.plane_by`), with the length offset active before it, and `G253` rotates the axes; `Q123` is
-//! the order of its angles: about X, then Y, then Z of the work offset. From memory: no page of Haas that states it was found, and the
-//! header of a program with planes asks for it.
+//! `G268` tilts a plane instead (`control.plane_by`), with the length offset active before it, and `G253` rotates the
+//! axes; `Q123` is the order of its angles: about X, then Y, then Z of the work offset. From memory: no page of Haas
+//! that states it was found, and the header of a program with planes asks for it.
 
 use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};
@@ -78,8 +79,8 @@ static SPELLINGS: Spellings = Spellings {
             fine_bore: Some(FineBoreAbility { states_angle: false, fixed_shift_um: None, stops_spindle: false }),
             ..CycleAbilities::CODES
         },
-        // Without Q, I and J are direction and distance of the shift: mill operator's manual 96-8000, p. 187 and 188. With Q
-        // the direction would be that of setting 27.
+        // Without Q, I and J are direction and distance of the shift: mill operator's manual 96-8000, p. 187 and 188.
+        // With Q the direction would be that of setting 27.
         form: CycleForm::Codes(CycleCodes { fine_bore: "G76", bore_shift_by_axis: true, ..CycleCodes::ISO }),
     }),
     radius_data: [

@@ -3,48 +3,49 @@
 //! Every line has a number, comments included. Every straight motion begins with L, an arc with C or CR, and a helix
 //! with CP; only axis words, F and R0 are modal. There is no inverse-time feed, so F applies to the control's own path.
 //! The spindle speed is part of TOOL CALL, which takes the length from the tool table. In an inch program F is in
-//! tenths of an inch. Q239 is -99.9999 to 99.9999 (TNC 640, cycle programming 34059x-01, p. 102), so a pitch has four decimals in
-//! both units. A `~` at the end of a line continues it in the next line, so no comment holds one. A dwell of
-//! cycle 9 is at most 3600 s (TNC 640 user's manual, 19.3).
+//! tenths of an inch. Q239 is -99.9999 to 99.9999 (TNC 640, cycle programming 34059x-01, p. 102), so a pitch has four
+//! decimals in both units. A `~` at the end of a line continues it in the next line, so no comment holds one. A dwell
+//! of cycle 9 is at most 3600 s (TNC 640 user's manual, 19.3).
 //!
-//! `L .. FMAX` is a straight line in which all axes of the block move together (iTNC 530 ISO manual 60642x-03, p. 211: G00
-//! straight line at rapid traverse; the axes of one block move simultaneously).
+//! `L .. FMAX` is a straight line in which all axes of the block move together (iTNC 530 ISO manual 60642x-03, p. 211:
+//! G00 straight line at rapid traverse; the axes of one block move simultaneously).
 //!
-//! `BLK FORM CYLINDER Z R L DIST` is a round blank about X0 Y0: radius, height, and the distance of its top from the datum. The
-//! words are those of FreeCAD's public post for Heidenhain; that DIST counts to the top is from memory.
+//! `BLK FORM CYLINDER Z R L DIST` is a round blank about X0 Y0: radius, height, and the distance of its top from the
+//! datum. The words are those of FreeCAD's public post for Heidenhain; that DIST counts to the top is from memory.
 //!
 //! Length guard: `FN 18` reads the length (ID50 NR1) and the oversize (NR4) of the tool from the tool table, whose sum
 //! `TOOL CALL` takes; always in millimetres, whatever the unit of the program. `QL` parameters are local to this
 //! program. `FN 14` stops with an error number, so the message is a comment before it.
 //!
-//! Plane guard: `FN 18` reads the positions of the rotary axes in the active coordinate system (ID270 NR1, IDX4 to IDX6 for A
-//! B C: TNC 426/430 Technical Manual, p. 7-30). `FN 20: WAIT FOR SYNC` is before it, so that the look-ahead has not passed the
-//! call (TNC 640 user's manual, FN 20; from memory). The sine of half the difference is zero at whole turns as well.
+//! Plane guard: `FN 18` reads the positions of the rotary axes in the active coordinate system (ID270 NR1, IDX4 to IDX6
+//! for A B C: TNC 426/430 Technical Manual, p. 7-30). `FN 20: WAIT FOR SYNC` is before it, so that the look-ahead has
+//! not passed the call (TNC 640 user's manual, FN 20; from memory). The sine of half the difference is zero at whole
+//! turns as well.
 //!
 //! Guard of the work offset: `FN 18` reads the basic rotation (ID210 NR1: TNC 426/430 Technical Manual, p. 7-30).
 //!
-//! `/` before the number marks a block that the operator may have skipped, as Autodesk's public post for the TNC writes it
-//! (`writeOptionalBlock`).
+//! `/` before the number marks a block that the operator may have skipped, as Autodesk's public post for the TNC writes
+//! it (`writeOptionalBlock`).
 //!
 //! `TOOL CALL "NAME"` and `TOOL DEF "NAME"` take the name of the tool table, as Autodesk's public post writes them
 //! (`toolAsName`): at most 32 capitals, digits and some signs (TNC 640 ISO manual 1/2015, p. 170).
 //!
-//! `RL` and `RR` offset the path by R + DR of the tool table + DR of the tool call (TNC 620 user's manual 1/2022, p. 134). Where
-//! the path is that of the tool centre the tool call takes the radius off, `DR-6`, so that wear is left; at most 99.999 mm
-//! (TNC 640 ISO manual 1/2015, p. 171). No manual was found that states whether a tool call with S alone keeps DR, so it is
-//! written there again.
+//! `RL` and `RR` offset the path by R + DR of the tool table + DR of the tool call (TNC 620 user's manual 1/2022, p.
+//! 134). Where the path is that of the tool centre the tool call takes the radius off, `DR-6`, so that wear is left; at
+//! most 99.999 mm (TNC 640 ISO manual 1/2015, p. 171). No manual was found that states whether a tool call with S alone
+//! keeps DR, so it is written there again.
 //!
 //! `FUNCTION TCPM` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero.
-//! Where the table is tilted, X and Y come over the first point in a `PLANE` before it, as in Autodesk's public post for the
-//! TNC, which moves its zero there with cycle 7; the coordinates of the point are the same position.
+//! Where the table is tilted, X and Y come over the first point in a `PLANE` before it, as in Autodesk's public post
+//! for the TNC, which moves its zero there with cycle 7; the coordinates of the point are the same position.
 //! `PLANE SPATIAL` rotates about X, then Y, then Z of the frame that it tilts (SPC·SPB·SPA as a product). SEQ is the
 //! sign of the master axis, the first one from the tool. `COORD ROT`: where a rotary axis is parallel to the tool, the
 //! coordinates are rotated and not the axis (TNC7 user's manual 81762x-17, COORD ROT and TABLE ROT). Both are switched
 //! off before a tool call and before M91.
 //!
-//! `L M140 MB MAX` retracts along the tool axis to the end of the travel, at rapid without F, as Autodesk's public post writes it
-//! (`useM140`). It needs the tool axis of a tool call before it (programs of that post call `TOOL CALL Z` first); up to the first
-//! tool call the retract is therefore M91.
+//! `L M140 MB MAX` retracts along the tool axis to the end of the travel, at rapid without F, as Autodesk's public post
+//! writes it (`useM140`). It needs the tool axis of a tool call before it (programs of that post call `TOOL CALL Z`
+//! first); up to the first tool call the retract is therefore M91.
 //!
 //! A position with M99 calls the cycle that was defined last. Each cycle moves from the set-up clearance Q200 above the
 //! surface Q203 down by Q201, and afterwards at rapid to Q204 above the surface. Cycle 200 is used without pecking.
@@ -52,8 +53,8 @@
 //! retracts by Q256 only, as long as there are no more chip breaks than Q213, and moves out at Q208 at the end. Cycle
 //! 201 moves out to Q200 at its own feed where Q208 is 0. Cycle 207 synchronises spindle and feed, cuts a left-hand
 //! thread where Q239 is negative, and leaves the spindle stopped (user's manuals of cycle programming, iTNC 530 and TNC
-//! 640). F in cycles, Q206, is in the same unit as elsewhere in the program, in tenths of an inch as well: from memory, since no
-//! public page states it; the header of an inch program with cycles says so.
+//! 640). F in cycles, Q206, is in the same unit as elsewhere in the program, in tenths of an inch as well: from memory,
+//! since no public page states it; the header of an inch program with cycles says so.
 
 use crate::motion::{CycleAbilities, FineBoreAbility, PathNorm, PlaneAngles, PoseRule, Registers};
 use crate::nc::{Formats, Numerals};

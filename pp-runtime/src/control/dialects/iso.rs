@@ -2,11 +2,12 @@
 //!
 //! [`Spellings::ISO`] has no name, no tip control and no tilted plane. Every other entry is shared by at least two of
 //! the controls; differences are in the file of the control, with their source. Entries that no two controls share
-//! (name, title, line length, rotary note, where numbers are found) are empty here, and a test refuses a control that leaves them empty.
+//! (name, title, line length, rotary note, where numbers are found) are empty here, and a test refuses a control that
+//! leaves them empty.
 //!
-//! `/` before the block number marks a block that the operator may have skipped, as Autodesk's public posts for these controls
-//! write it; LinuxCNC: `interp_read.cc`, block delete. Fanuc and Haas read `/` at the head of a block so, and elsewhere in a
-//! block as a division (from memory).
+//! `/` before the block number marks a block that the operator may have skipped, as Autodesk's public posts for these
+//! controls write it; LinuxCNC: `interp_read.cc`, block delete. Fanuc and Haas read `/` at the head of a block so, and
+//! elsewhere in a block as a division (from memory).
 
 use crate::motion::{CycleAbilities, PathNorm, Registers};
 use crate::nc::{Formats, Numerals};

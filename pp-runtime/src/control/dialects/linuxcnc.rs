@@ -4,10 +4,12 @@
 //! nothing, `G4 P` is in seconds, `G93` needs an F in every G1 block, and F in `G94` applies to the path of X Y Z
 //! wherever one of them moves. `#5403` is the length of the tool in the spindle in the tool table, whatever H is in
 //! force, in the unit of the machine and not of the program. `G64` without P would round corners without bound at high
-//! speed. The axes of a rapid arrive together (handbook, node 53). `G41 D` offsets the path by half the diameter in the tool
-//! table (handbook, nodes 85 and 86). `#5210` is 1 while G92 or G52 is active, `#5220` the number of the work offset, and `#5230`, 20 more for
-//! each further offset, its rotation (G-code overview, numbered parameters); G92.1 would clear what the shop has set. `G28 Z` moves Z to the position that `G28.1` has stored (parameters 5161 to 5166), through
-//! the point of its word (G-code documentation, G28). `(MSG, text)` displays a text (G-code overview, comments). Tip control is only switched by codes of the configuration; there is no tilted plane.
+//! speed. The axes of a rapid arrive together (handbook, node 53). `G41 D` offsets the path by half the diameter in the
+//! tool table (handbook, nodes 85 and 86). `#5210` is 1 while G92 or G52 is active, `#5220` the number of the work
+//! offset, and `#5230`, 20 more for each further offset, its rotation (G-code overview, numbered parameters); G92.1
+//! would clear what the shop has set. `G28 Z` moves Z to the position that `G28.1` has stored (parameters 5161 to
+//! 5166), through the point of its word (G-code documentation, G28). `(MSG, text)` displays a text (G-code overview,
+//! comments). Tip control is only switched by codes of the configuration; there is no tilted plane.
 
 use std::borrow::Cow;
 
@@ -36,8 +38,8 @@ static SPELLINGS: Spellings = Spellings {
     times_faint_moves: true,
     // Its planner knows the coordinates only: github.com/LinuxCNC/linuxcnc, issue 97 (following errors of the joints).
     tip_control_holds_axis_speeds: false,
-    // G90.1 (absolute centres of arcs), G7 (X as a diameter) and G96 (S as a cutting speed) survive M2: interp_convert.cc,
-    // convert_stop.
+    // G90.1 (absolute centres of arcs), G7 (X as a diameter) and G96 (S as a cutting speed) survive M2:
+    // interp_convert.cc, convert_stop.
     safety: &["{units} G8 G17 G40 G49 G80 G90 G91.1 G94 G97 {work_offset} G64 P{path_tolerance}"],
     blending: &["G64 P{path_tolerance}"],
     arcs: ArcCodes {
@@ -55,8 +57,8 @@ static SPELLINGS: Spellings = Spellings {
     ],
     // Switchable kinematics: linuxcnc.org; bridgemill/5axis.ini begins in 5axiskins.
     may_begin_in_tip_control: true,
-    // interp_convert.cc: TOLERANCE_CONCAVE_CORNER is 0.05 rad. interp_queue.cc, move_endpoint_and_flush: an arc that becomes
-    // longer by more stops the program; measured with the interpreter of 2.9.
+    // interp_convert.cc: TOLERANCE_CONCAVE_CORNER is 0.05 rad. interp_queue.cc, move_endpoint_and_flush: an arc that
+    // becomes longer by more stops the program; measured with the interpreter of 2.9.
     straight_corners: Some(StraightCorners { largest_rad: 0.05, longer_rad: [0.0254, 0.001] }),
     preselect: false,
     // LinuxCNC documentation, M codes, M6: with tool 0 there is no tool in the spindle after it.

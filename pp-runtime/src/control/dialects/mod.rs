@@ -1,8 +1,8 @@
 //! Dialects: one file per control, with its table of codes and the methods for what no table can hold.
 //!
 //! A control that writes ISO blocks starts from [`Spellings::ISO`] and states its differences, with manual and page. A
-//! new control of this crate also needs its `mod` line and its line in [`CONTROLS`] in this file; one outside of it is given to
-//! `cli::App`.
+//! new control of this crate also needs its `mod` line and its line in [`CONTROLS`] in this file; one outside of it is
+//! given to `cli::App`.
 
 mod control;
 mod fanuc;
@@ -41,8 +41,8 @@ controls! {
     haas::Haas,
 }
 
-/// Whether the language of a control is that of the default of the command line, for which a first program without a set-up file
-/// is posted.
+/// Whether the language of a control is that of the default of the command line, for which a first program without a
+/// set-up file is posted.
 #[must_use]
 pub fn is_default_family(control: &dyn Control) -> bool {
     CONTROLS.first().is_some_and(|default| default.spellings().name == control.family())

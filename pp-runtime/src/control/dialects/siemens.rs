@@ -9,40 +9,43 @@
 //! G2, 7.3). `M0` stops with the message displayed, and `M30` after it ends the program. Alarms of `SETAL` would need
 //! alarm texts in the machine.
 //!
-//! `WORKPIECE(,"",,"BOX",112,ZA,ZI,-80,XA,YA,XI,YI)` and `WORKPIECE(,"",,"CYLINDER",192,ZA,ZI,ZB,XA)` are the blank of the
-//! graphics: top, bottom, and the corners or the diameter; 16, 32, 64 and 128 of the mask make XI, YI, ZI and ZB absolute.
-//! Read in public posts and programs of ShopMill and ShopTurn (github.com); no page of a manual was found.
+//! `WORKPIECE(,"",,"BOX",112,ZA,ZI,-80,XA,YA,XI,YI)` and `WORKPIECE(,"",,"CYLINDER",192,ZA,ZI,ZB,XA)` are the blank of
+//! the graphics: top, bottom, and the corners or the diameter; 16, 32, 64 and 128 of the mask make XI, YI, ZI and ZB
+//! absolute. Read in public posts and programs of ShopMill and ShopTurn (github.com); no page of a manual was found.
 //!
-//! Plane guard: `$AA_IW[B]` is the position of an axis in the workpiece coordinate system, in which the rotary words are, too;
-//! reading it stops the look-ahead, as for all variables of the main run, `$A` (Programming Guide Advanced 04.00, 15.2.37,
-//! p. 15-558). `SIN` is in degrees; the sine of half the difference is zero at whole turns as well.
+//! Plane guard: `$AA_IW[B]` is the position of an axis in the workpiece coordinate system, in which the rotary words
+//! are, too; reading it stops the look-ahead, as for all variables of the main run, `$A` (Programming Guide Advanced
+//! 04.00, 15.2.37, p. 15-558). `SIN` is in degrees; the sine of half the difference is zero at whole turns as well.
 //!
-//! Guard of the work offset: `$P_ACTFRAME` is the chain of all frames, with the components RT, SC and MI for each axis (NC programming
-//! 12/2019, 6FC5398-2EP40-0BA0, p. 631 and 636). A workpiece that is aligned by a rotation of coordinates has one.
+//! Guard of the work offset: `$P_ACTFRAME` is the chain of all frames, with the components RT, SC and MI for each axis
+//! (NC programming 12/2019, 6FC5398-2EP40-0BA0, p. 631 and 636). A workpiece that is aligned by a rotation of
+//! coordinates has one.
 //!
-//! `T="NAME"` calls a tool by its name in the tool management (Fundamentals 05/2017; a name has at most 32 characters, from
-//! memory).
+//! `T="NAME"` calls a tool by its name in the tool management (Fundamentals 05/2017; a name has at most 32 characters,
+//! from memory).
 //!
 //! `/` before the block number marks a block that the operator may have skipped (SINUMERIK ONE programming manual NC
-//! programming 12/2019, p. 52). Blocks with IF and ENDIF cannot be skipped (from memory), so no guard comes among such blocks.
+//! programming 12/2019, p. 52). Blocks with IF and ENDIF cannot be skipped (from memory), so no guard comes among such
+//! blocks.
 //!
-//! `G41` offsets the path by the whole radius of the active edge. Where the path is that of the tool centre a guard reads
-//! `$P_TOOLR`, the active radius with wear (System Variables 6FC5397-6AP40-3BA1, 03/2013), in the unit of the program.
+//! `G41` offsets the path by the whole radius of the active edge. Where the path is that of the tool centre a guard
+//! reads `$P_TOOLR`, the active radius with wear (System Variables 6FC5397-6AP40-3BA1, 03/2013), in the unit of the
+//! program.
 //!
-//! Where the table is tilted, X and Y come over the first point in `CYCLE800`, which ends before `TRAORI`, as in Autodesk's
-//! public post for the 840D; the work offset that `TRAFOOF` may have cleared comes before it.
+//! Where the table is tilted, X and Y come over the first point in `CYCLE800`, which ends before `TRAORI`, as in
+//! Autodesk's public post for the 840D; the work offset that `TRAFOOF` may have cleared comes before it.
 //!
 //! `TRAORI` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero; after it
 //! the work offset is called again. `CYCLE800` in mode 57 rotates about X, the new Y and the new Z. Its direction -1 or
 //! 1 takes the pose with the lower or the higher value of the axis that is the direction reference of the swivel data
 //! (828D operating manual, 10.6).
 //!
-//! The axes of a rapid arrive together: RTLION is the default, MD20730, and always in force under `TRAORI` (SINUMERIK ONE
-//! programming manual NC programming 12/2019, p. 181).
+//! The axes of a rapid arrive together: RTLION is the default, MD20730, and always in force under `TRAORI` (SINUMERIK
+//! ONE programming manual NC programming 12/2019, p. 181).
 //!
-//! `CYCLE832(S_TOL,S_TOLM,S_OTOL)`: units of S_TOLM 1 finish, 2 semi-finish, 3 rough; tens 1 where S_OTOL is the tolerance of
-//! the rotary axes, degrees. S_OTOL is always programmed, 1 without such a tolerance (SINUMERIK ONE programming manual NC
-//! programming 12/2019, p. 1108).
+//! `CYCLE832(S_TOL,S_TOLM,S_OTOL)`: units of S_TOLM 1 finish, 2 semi-finish, 3 rough; tens 1 where S_OTOL is the
+//! tolerance of the rotary axes, degrees. S_OTOL is always programmed, 1 without such a tolerance (SINUMERIK ONE
+//! programming manual NC programming 12/2019, p. 1108).
 //!
 //! After `MCALL CYCLE81(..)` each motion ends with the cycle until `MCALL` alone. Arguments (840D Cycles PGZ, 2.1, and
 //! 840D sl, which adds those from `_AXN` on): RTP return level, RFP surface, SDIS clearance above the surface, DP
@@ -51,8 +54,8 @@
 //! the bottom), _DIS1 (distance above the last depth after a retract). `CYCLE85` adds DPR, DTB, FFR, RFF. `CYCLE84`
 //! adds DPR, DTB, SDAC (sense of rotation after the cycle), MPIT, PIT (negative: left-hand), POSS, SST, SST1, _AXN,
 //! _PITA (1 mm, 3 inches). No public page was found on how `CYCLE83` divides a depth that is no
-//! multiple of the step (from memory: the last two steps share the rest equally): in any case there are as many steps as in the
-//! CL data, and none is longer.
+//! multiple of the step (from memory: the last two steps share the rest equally): in any case there are as many steps
+//! as in the CL data, and none is longer.
 
 use crate::motion::tolerances::GUARDED_SINES;
 use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule, Registers};
@@ -104,8 +107,8 @@ static SPELLINGS: Spellings = Spellings {
         // (6FC5398-1BP10-2BA0, 8.17.4).
         planes: [None, None, Some("G17")],
         radius: "CR=",
-        // MD21000, or the radius at the start times MD21010 where that is larger (SINUMERIK 808D ADVANCED parameter manual
-        // 6FC5397-8EP40-0BA0, 08/2013, p. 147). 0.01 mm as delivered is from memory.
+        // MD21000, or the radius at the start times MD21010 where that is larger (SINUMERIK 808D ADVANCED parameter
+        // manual 6FC5397-8EP40-0BA0, 08/2013, p. 147). 0.01 mm as delivered is from memory.
         radius_tolerance_mm: 0.01,
         ..ArcCodes::ISO
     },
@@ -148,7 +151,8 @@ static SPELLINGS: Spellings = Spellings {
     machine: ["SUPA G0", "D0"],
     retracts: &[MachineRetract::to_machine_coordinate("SUPA")],
     tool_change: &["T{tool}", "M6", "T{next}"],
-    // industrialmonitordirect.com, "SINUMERIK 840D PLC restore tool conflict resolution": T0 M6 returns the tool to its place.
+    // industrialmonitordirect.com, "SINUMERIK 840D PLC restore tool conflict resolution": T0 M6 returns the tool to its
+    // place.
     empty_spindle_note: "",
     tool_name: Some(["=\"", "\""]),
     tool_name_byte: |byte| (b' '..=b'~').contains(&byte) && byte != b'"',

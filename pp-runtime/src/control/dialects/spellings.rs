@@ -64,10 +64,11 @@ pub struct Spellings {
     pub per_minute: &'static str,
     /// Code of feed per revolution, for threads; empty where their cycle takes the pitch.
     pub per_revolution: &'static str,
-    /// M functions of the control itself beside those of every control (`STANDARD_M`), and what they do: they cannot be those
-    /// of a clamp, of coolant or of tip control.
+    /// M functions of the control itself beside those of every control (`STANDARD_M`), and what they do: they cannot be
+    /// those of a clamp, of coolant or of tip control.
     pub own_m: &'static [(u16, &'static str)],
-    /// A work offset has the machine coordinates of its zero point. Otherwise it is a preset, set by touching off or probing.
+    /// A work offset has the machine coordinates of its zero point. Otherwise it is a preset, set by touching off or
+    /// probing.
     pub offset_has_coordinates: bool,
     /// Text before the word of a work offset in the program header.
     pub offset_title: &'static str,
@@ -101,22 +102,23 @@ pub struct Spellings {
     pub no_compensation: &'static str,
     /// Cutter compensation left, right and off, as templates.
     pub compensation: [&'static str; 3],
-    /// Required content of the radius data of the control for a path of the contour, and for one of the tool centre; printed in
-    /// the program header.
+    /// Required content of the radius data of the control for a path of the contour, and for one of the tool centre;
+    /// printed in the program header.
     pub radius_data: [&'static str; 2],
     /// Corners that the control takes as straight on with cutter compensation.
     pub straight_corners: Option<StraightCorners>,
     /// Codes before and after the words of a rapid in machine coordinates.
     pub machine: [&'static str; 2],
-    /// Machine retracts that the control has, by the names of `retract.method`; the first one where the configuration names
-    /// none.
+    /// Machine retracts that the control has, by the names of `retract.method`; the first one where the configuration
+    /// names none.
     pub retracts: &'static [MachineRetract],
     /// Tool change, and preselection of the next tool.
     pub tool_change: &'static [&'static str],
-    /// What is assumed where tool 0 is called, which leaves the spindle empty; without a text the manual of the control has it.
+    /// What is assumed where tool 0 is called, which leaves the spindle empty; without a text the manual of the control
+    /// has it.
     pub empty_spindle_note: &'static str,
-    /// Text before and after the name of a tool that is called by name, in the place of `{tool}`; `None` if tools have numbers
-    /// only. An equals sign before is written after an address only: `T="MILL 10"`, but `L9001("MILL 10")`.
+    /// Text before and after the name of a tool that is called by name, in the place of `{tool}`; `None` if tools have
+    /// numbers only. An equals sign before is written after an address only: `T="MILL 10"`, but `L9001("MILL 10")`.
     pub tool_name: Option<[&'static str; 2]>,
     /// Whether a name of a tool may have this byte.
     pub tool_name_byte: fn(u8) -> bool,
@@ -130,11 +132,11 @@ pub struct Spellings {
     pub spindle: [&'static str; 2],
     /// Spindle stop.
     pub spindle_off: &'static str,
-    /// Coolant off where it is unknown which kinds are on, for a control that has codes for neither flood nor mist: theirs are
-    /// written otherwise.
+    /// Coolant off where it is unknown which kinds are on, for a control that has codes for neither flood nor mist:
+    /// theirs are written otherwise.
     pub coolant_off: &'static str,
-    /// On and off codes of flood, mist, coolant through the spindle, and air. Those of the configuration take their place, and
-    /// codes for a pressure are those of the configuration alone. Each kind is switched off by its own code.
+    /// On and off codes of flood, mist, coolant through the spindle, and air. Those of the configuration take their
+    /// place, and codes for a pressure are those of the configuration alone. Each kind is switched off by its own code.
     pub coolant: [Option<[&'static str; 2]>; 4],
     /// Program stop, and optional stop.
     pub stop: [&'static str; 2],
@@ -144,16 +146,17 @@ pub struct Spellings {
     pub longest_dwell: u32,
     /// Smoothing on, for roughing, medium and finishing; empty if only `safety` can switch it on.
     pub smoothing: [&'static [&'static str]; 3],
-    /// The same with a tolerance for rotary axes; empty where it is a word of these blocks, or smoothing has none.
+    /// Smoothing on with a tolerance for rotary axes; empty where it is a word of these blocks, or smoothing has none.
     pub smoothing_with_angle: [&'static [&'static str]; 3],
     /// Smoothing off.
     pub smoothing_off: &'static [&'static str],
-    /// Blocks that state the tolerance of blending, where the safety blocks do; empty where blocks are not blended within one.
+    /// Blocks that state the tolerance of blending, where the safety blocks do; empty where blocks are not blended
+    /// within one.
     pub blending: &'static [&'static str],
     /// Codes for rotary axes that rotate as their words state, and by the shortest path.
     pub rotary_path: [&'static str; 2],
-    /// Text before and after the number of a rotary word that the control reaches by the shortest path: `=DC(` and `)`; `None` if the
-    /// word does not say so.
+    /// Text before and after the number of a rotary word that the control reaches by the shortest path: `=DC(` and `)`;
+    /// `None` if the word does not say so.
     pub shortest_word: Option<[&'static str; 2]>,
     /// Settings with which the control moves a rotary axis to every angle by the shortest path.
     pub shortest_note: &'static str,
@@ -167,8 +170,8 @@ pub struct Spellings {
     pub rotary_note: &'static str,
     /// Where the numbers of a set-up file are found at the control; printed with their keys by `config`.
     pub found_at: &'static [FoundAt],
-    /// Examples of keys of the set-up file where the general ones are not those of the control: key, and value as TOML. `clamp`
-    /// has one for each rotary axis, in order; `start` and `end` are those of a tool.
+    /// Examples of keys of the set-up file where the general ones are not those of the control: key, and value as TOML.
+    /// `clamp` has one for each rotary axis, in order; `start` and `end` are those of a tool.
     pub examples: &'static [(&'static str, &'static str)],
     /// Keys of the set-up file that the control refuses or does not read: `config` does not print them.
     pub unused_keys: &'static [&'static str],
@@ -181,8 +184,8 @@ pub struct Cancel {
     pub of: ControlFunction,
     /// Its block.
     pub block: &'static str,
-    /// It is written before the safety blocks unless the configuration lists the functions without it; otherwise after them, and only
-    /// where the configuration lists it.
+    /// It is written before the safety blocks unless the configuration lists the functions without it; otherwise after
+    /// them, and only where the configuration lists it.
     pub usual: bool,
 }
 
@@ -386,14 +389,15 @@ pub struct TipControlCodes {
     pub dynamic_offset: Option<[&'static str; 2]>,
     /// Value of `{posture}`: the tool axis follows the rotary axes, or rotates in the plane of its start and end.
     pub posture: [&'static str; 2],
-    /// Setting of the control that has the effect of `posture`, where the block may do without `{posture}`; empty where it
-    /// may not.
+    /// Setting of the control that has the effect of `posture`, where the block may do without `{posture}`; empty where
+    /// it may not.
     pub posture_setting: [&'static str; 2],
     /// Words for the tool axis as a vector; `None` if the control takes none.
     pub vectors: Option<ToolAxisWords>,
     /// A machine parameter selects the frame of its coordinates.
     pub frame_is_set: bool,
-    /// Settings for a frame of the table at zero, of the table at the start, and one that does not rotate; for the header.
+    /// Settings for a frame of the table at zero, of the table at the start, and one that does not rotate; for the
+    /// header.
     pub frame_settings: [&'static str; 3],
     /// It can rotate the tool axis in the plane of its start and end.
     pub turns_in_plane: bool,

@@ -98,8 +98,8 @@ impl FrameWriter {
         Ok(())
     }
 
-    /// Writes the blocks of a restart point, the first one with this block number if it has one. `changes_tool`: a tool change
-    /// follows.
+    /// Writes the blocks of a restart point, the first one with this block number if it has one. `changes_tool`: a tool
+    /// change follows.
     pub(crate) fn restart(&mut self, number: u32, changes_tool: bool, out: &mut ModalWriter<'_>) -> io::Result<()> {
         out.smooth(false)?;
         self.tool_changes += u32::from(changes_tool);

@@ -30,7 +30,8 @@ impl HoleWriter {
         Self { in_force: None, rigid, thread_per_revolution, units }
     }
 
-    /// Cancels the cycle in force, and feed per revolution of a thread; the next motion writes its motion code, the word of the tool axis and F again.
+    /// Cancels the cycle in force, and feed per revolution of a thread; the next motion writes its motion code, the
+    /// word of the tool axis and F again.
     #[inline(always)]
     pub(crate) fn end_cycle(&mut self, out: &mut ModalWriter<'_>) -> io::Result<()> {
         match self.in_force.take() {

@@ -84,8 +84,9 @@ impl SpindleCoolantWriter {
         out.block(code)
     }
 
-    /// Switches coolant off, with the code of each kind that is on. Where none is known to be on, those of flood and mist,
-    /// which may be on; the general code of the control where it has neither. A code that several kinds have is written once.
+    /// Switches coolant off, with the code of each kind that is on. Where none is known to be on, those of flood and
+    /// mist, which may be on; the general code of the control where it has neither. A code that several kinds have is
+    /// written once.
     pub(crate) fn coolant_off(&self, out: &mut ModalWriter<'_>) -> io::Result<()> {
         let (codes, mut on) = (out.codes(), out.modal().take_coolants());
         if on.is_empty() {

@@ -1,10 +1,10 @@
-//! States of controls on which the meaning of words depends: what a program before, a screen, the operator or the machine builder
-//! may have left, and how programs deal with each.
+//! States of controls on which the meaning of words depends: what a program before, a screen, the operator or the
+//! machine builder may have left, and how programs deal with each.
 //!
-//! One row is one state. Of the four ways the first that is possible is taken: the word itself has the state; the program sets it at
-//! each restart point; a guard of the program compares it and stops; the header and the set-up sheet state it as a condition. A row of a
-//! later way has the reason why those before it are not possible. The check has rows of its own, of what must be ended before a motion
-//! (`check/read/facts`), and a test compares them with these.
+//! One row is one state. Of the four ways the first that is possible is taken: the word itself has the state; the
+//! program sets it at each restart point; a guard of the program compares it and stops; the header and the set-up sheet
+//! state it as a condition. A row of a later way has the reason why those before it are not possible. The check has
+//! rows of its own, of what must be ended before a motion (`check/read/facts`), and a test compares them with these.
 
 mod fanuc;
 mod haas;
@@ -44,15 +44,15 @@ pub(crate) enum StateHandling {
     InWord(&'static str),
     /// The safety blocks set it, by this code.
     Set(&'static str),
-    /// The same where the control has the function; elsewhere it is a condition.
+    /// The safety blocks set it where the control has the function; elsewhere it is a condition.
     SetWhere(ControlFunction, &'static str),
     /// A guard compares it, by this; without the guard it is a condition.
     Compared(&'static str, &'static str),
     /// It is a condition, as the header states it.
     Stated(&'static str),
-    /// The same, unless an option has it settled.
+    /// It is a condition, unless an option has it settled.
     StatedUnless(Settled, &'static str),
-    /// The same, which is part of a line that the header has of its own.
+    /// It is a condition that is part of a line that the header has of its own.
     Noted(fn(&Spellings) -> &'static str),
 }
 

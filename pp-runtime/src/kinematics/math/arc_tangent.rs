@@ -1,9 +1,10 @@
 //! Arc tangents of two quotients at once.
 //!
-//! The smaller of `|x|` and `|y|` is divided by the larger; a quotient above `tan π/8` by `atan q = π/4 + atan (q - 1)/(q + 1)`,
-//! so that `|t| <= tan π/8` remains, whose arc tangent is a polynomial with the smallest largest error (Remez). What sums
-//! and quotient have lost is added to it. Sums and products are those of IEEE 754 without fused operations, so that every
-//! processor gives the same bits; the error is below 0.9 units of the last place, and signs are those of IEEE 754.
+//! The smaller of `|x|` and `|y|` is divided by the larger; a quotient above `tan π/8` by
+//! `atan q = π/4 + atan (q - 1)/(q + 1)`, so that `|t| <= tan π/8` remains, whose arc tangent is a polynomial with the
+//! smallest largest error (Remez). What sums and quotient have lost is added to it. Sums and products are those of IEEE
+//! 754 without fused operations, so that every processor gives the same bits; the error is below 0.9 units of the last
+//! place, and signs are those of IEEE 754.
 
 use wide::f64x2;
 

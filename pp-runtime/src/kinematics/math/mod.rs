@@ -1,6 +1,7 @@
 //! Mathematical functions that `core` does not have.
 //!
-//! They give the same bits on every system: a program does not depend on the library of the system on which it was posted.
+//! They give the same bits on every system: a program does not depend on the library of the system on which it was
+//! posted.
 //!
 //! ```
 //! use pp_runtime::kinematics::math;
@@ -177,8 +178,8 @@ fn polynomial<const N: usize>(x: f64x2, factors: &[f64; N]) -> f64x2 {
     lower.iter().rev().fold(splat(highest[0]), |sum, factor| sum * x + splat(*factor))
 }
 
-/// Value of a polynomial of many powers, lowest first: even and odd ones are summed by themselves, so that the processor works
-/// on both at once.
+/// Value of a polynomial of many powers, lowest first: even and odd ones are summed by themselves, so that the
+/// processor works on both at once.
 #[inline]
 fn long_polynomial<const N: usize>(x: f64x2, factors: &[f64; N]) -> f64x2 {
     let square = x * x;

@@ -1,10 +1,10 @@
 //! Sine and cosine of two angles at once.
 //!
-//! `x = k π/2 + y` with a whole `k` and `|y| <= π/4`, `y` with a tail of its own. Sine and cosine of `y` are polynomials with
-//! the smallest largest error (Remez), and `k` decides which of them is which, and their signs. Sums and products are those
-//! of IEEE 754 without fused operations, so that every processor gives the same bits; the error is below 0.8 units of the
-//! last place. Where `x` is so near to a multiple of `π/2` that more of its digits are needed, or far from zero, or not
-//! finite, the functions of libm are used.
+//! `x = k π/2 + y` with a whole `k` and `|y| <= π/4`, `y` with a tail of its own. Sine and cosine of `y` are
+//! polynomials with the smallest largest error (Remez), and `k` decides which of them is which, and their signs. Sums
+//! and products are those of IEEE 754 without fused operations, so that every processor gives the same bits; the error
+//! is below 0.8 units of the last place. Where `x` is so near to a multiple of `π/2` that more of its digits are
+//! needed, or far from zero, or not finite, the functions of libm are used.
 
 use wide::f64x2;
 
@@ -30,8 +30,8 @@ pub(crate) const COSINE: [f64; 6] = [
     -1.135_965_885_290_197_1e-11,
 ];
 
-/// Added to a number below 2^51 and subtracted from it, it leaves the nearest whole number, which is in the last bits of the
-/// sum.
+/// Added to a number below 2^51 and subtracted from it, it leaves the nearest whole number, which is in the last bits
+/// of the sum.
 pub(crate) const WHOLE: f64 = 6_755_399_441_055_744.0;
 
 /// The first 33 bits of `π/2`: its multiples up to [`MOST_QUARTERS`] are exact. And the rest, to 86 bits in all.

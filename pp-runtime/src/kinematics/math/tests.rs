@@ -1,4 +1,5 @@
-//! Errors in units of the last place, from sums of two numbers; signs and ends of quadrants; one result alone or in a pair.
+//! Errors in units of the last place, from sums of two numbers; signs and ends of quadrants; one result alone or in a
+//! pair.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 use std::vec::Vec;

@@ -2,8 +2,8 @@
 
 use wide::f64x2;
 
-/// 2^52 + 2^51: the sum with a smaller number than 2^51 has no bits after the point, and its lowest bits are those of the nearest
-/// whole number.
+/// 2^52 + 2^51: the sum with a smaller number than 2^51 has no bits after the point, and its lowest bits are those of
+/// the nearest whole number.
 const SHIFT: f64 = 6_755_399_441_055_744.0;
 
 /// 2^51.
@@ -36,7 +36,7 @@ fn integer(shifted: f64) -> i64 {
     shifted.to_bits().wrapping_sub(SHIFT.to_bits()).cast_signed()
 }
 
-/// The same as [`rounded`] for a value below `most`, which is [`LARGEST_SHIFTED`] at most; `None` for any other, and for NaN.
+/// [`rounded`] of a value below `most`, which is [`LARGEST_SHIFTED`] at most; `None` for any other, and for NaN.
 #[inline(always)]
 pub(crate) fn rounded_below(value: f64, most: f64) -> Option<i64> {
     let shifted = value + SHIFT;
@@ -47,7 +47,7 @@ pub(crate) fn rounded_below(value: f64, most: f64) -> Option<i64> {
     None
 }
 
-/// The same as [`rounded`] for any number: a half, or a large one.
+/// [`rounded`] of any number, also of a half or a large one.
 #[cold]
 fn rounded_in_steps(value: f64) -> i64 {
     let whole = value as i64;

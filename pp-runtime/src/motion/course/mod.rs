@@ -353,7 +353,8 @@ impl Navigator {
             && self.searches.iter().all(|run| run.ended || run.search.is_free_at_pole())
     }
 
-    /// Takes a motion with the tool axis of the last pose, at a pole or in a run: it rotates nothing. False for any other.
+    /// Takes a motion with the tool axis of the last pose, at a pole or in a run: it rotates nothing. False for any
+    /// other.
     #[inline]
     fn stays(&mut self, pose: &Pose) -> bool {
         let is_held = |here: &&mut Pose| Shortcut::HeldToolAxis.is_on() && here.axis == pose.axis;
@@ -492,8 +493,8 @@ impl Navigator {
     }
 }
 
-/// Whether a run, and the searches in it, take a cut to a pose, far from the poles. `chord`: square of the distance between the
-/// tool axes of its ends.
+/// Whether a run, and the searches in it, take a cut to a pose, far from the poles. `chord`: square of the distance
+/// between the tool axes of its ends.
 #[inline(always)]
 fn takes(
     (run, searches): (&mut SteadyRun, &mut [SearchRun]),

@@ -185,8 +185,8 @@ pub(crate) struct CourseSearch {
     metric: RotaryMetric,
     /// All states of the last pose, in the order of preference; empty at the pole.
     layer: Vec<RotaryState>,
-    /// Those that are reached. In a run of cuts their states are those with which it began, and their costs, too; but that of a state
-    /// [with more rewinds](WithMoreRewinds) is up to the pose at which rewinds were last compared.
+    /// Those that are reached. In a run of cuts their states are those with which it began, and their costs, too; but
+    /// that of a state [with more rewinds](WithMoreRewinds) is up to the pose at which rewinds were last compared.
     survivors: Vec<Survivor>,
     next: Vec<Survivor>,
     predecessors: Vec<Predecessor>,
@@ -394,10 +394,11 @@ impl CourseSearch {
         self.finish_layer(states)
     }
 
-    /// Collects the survivors from which a motion in the air may be the cheapest, in rows: those with the same word of the
-    /// second axis, in the order of the first, each with a cheaper course than by a rotation from another one of its row. If
-    /// the cost is the travel, which adds up along a row, then from no start of a row a motion is cheaper than from the
-    /// nearest ones. A programmed sense of rotation may not allow those; there, and with times, each start is a row.
+    /// Collects the survivors from which a motion in the air may be the cheapest, in rows: those with the same word of
+    /// the second axis, in the order of the first, each with a cheaper course than by a rotation from another one of
+    /// its row. If the cost is the travel, which adds up along a row, then from no start of a row a motion is cheaper
+    /// than from the nearest ones. A programmed sense of rotation may not allow those; there, and with times, each
+    /// start is a row.
     fn collect_starts(&mut self, sense: Option<RotationSense>) {
         let Self { survivors, starts, row_ends, metric, .. } = self;
         starts.clear();
@@ -491,13 +492,14 @@ impl CourseSearch {
         self.finish_layer(&[]);
     }
 
-    /// Whether the last motion that changed the survivors was one in the air to the pole: see [`free_to_pole`](Self::free_to_pole).
+    /// Whether the last motion that changed the survivors was one in the air to the pole: see
+    /// [`free_to_pole`](Self::free_to_pole).
     pub(crate) fn is_free_at_pole(&self) -> bool {
         self.survivors.iter().all(|survivor| survivor.air.is_some())
     }
 
-    /// Takes a cut in which every state of the last pose rotates by less than 90° to the state of its branch and turn, so that
-    /// no other state of the branch leads there. Returns false, and changes nothing, elsewhere.
+    /// Takes a cut in which every state of the last pose rotates by less than 90° to the state of its branch and turn,
+    /// so that no other state of the branch leads there. Returns false, and changes nothing, elsewhere.
     ///
     /// The result is that of [`cut`](Self::cut): where the branches are merged, all states are of the first one.
     pub(crate) fn follow(&mut self, motion: u64, states: &[RotaryState]) -> bool {
@@ -529,12 +531,12 @@ impl CourseSearch {
         self.finish_layer(states)
     }
 
-    /// Begins a run of cuts in which branches and turns of the states stay the same. False if some state of the last pose may
-    /// not be the beginning of the course to the same state, rotated, of the next one.
+    /// Begins a run of cuts in which branches and turns of the states stay the same. False if some state of the last
+    /// pose may not be the beginning of the course to the same state, rotated, of the next one.
     ///
-    /// A course begins elsewhere only after a rewind. From another turn of its branch that is as much cheaper or dearer in
-    /// every cut as in the first. From the other branch, where that one has fewer rewinds, it may be cheaper in some cut: with
-    /// `compares` a run may begin there too, in which the two are [compared](Self::compare_rewinds).
+    /// A course begins elsewhere only after a rewind. From another turn of its branch that is as much cheaper or dearer
+    /// in every cut as in the first. From the other branch, where that one has fewer rewinds, it may be cheaper in some
+    /// cut: with `compares` a run may begin there too, in which the two are [compared](Self::compare_rewinds).
     pub(crate) fn begin_run(&mut self, compares: bool) -> bool {
         self.with_more_rewinds.clear();
         if self.layer.is_empty() {
@@ -581,8 +583,8 @@ impl CourseSearch {
         self.with_more_rewinds.iter().any(|state| state.rewind.is_some())
     }
 
-    /// Compares, before a cut of a run, the course to each state of the branch with more rewinds with those by a rewind from the
-    /// other branch. `rotated`: see [`rotate`](Self::rotate). Returns by how much these are longer at least.
+    /// Compares, before a cut of a run, the course to each state of the branch with more rewinds with those by a rewind
+    /// from the other branch. `rotated`: see [`rotate`](Self::rotate). Returns by how much these are longer at least.
     pub(crate) fn compare_rewinds(
         &mut self,
         motion: u64,
@@ -636,8 +638,8 @@ impl CourseSearch {
         self.survivors.iter().map(|survivor| &survivor.state)
     }
 
-    /// Takes a run of cuts that [has begun](Self::begin_run). `rotated`: a state of the pose at which it began as it is now, and
-    /// the cost of its rotation. The layer of the last pose must [follow](Self::enter).
+    /// Takes a run of cuts that [has begun](Self::begin_run). `rotated`: a state of the pose at which it began as it is
+    /// now, and the cost of its rotation. The layer of the last pose must [follow](Self::enter).
     pub(crate) fn rotate(&mut self, rotated: impl Fn(&RotaryState) -> (RotaryState, Cost)) {
         let mut with_more_rewinds = self.with_more_rewinds.drain(..).peekable();
         for (index, survivor) in self.survivors.iter_mut().enumerate() {
@@ -779,8 +781,8 @@ impl CourseSearch {
         self.finish_layer(&[])
     }
 
-    /// Takes a cut that begins at the pole. `exits`: for each state the words with which it leaves the pole. Where the tool
-    /// has come to the pole in the air, this cut decides between the preferred states and the others.
+    /// Takes a cut that begins at the pole. `exits`: for each state the words with which it leaves the pole. Where the
+    /// tool has come to the pole in the air, this cut decides between the preferred states and the others.
     pub(crate) fn leave_pole(
         &mut self,
         motion: u64,

@@ -33,7 +33,8 @@ pub(crate) struct StateFinder {
     largest_bend_rad: Option<f64>,
 }
 
-/// Cuts along one path that have been tested for continuity, by the words of their ends. Both searches ask for the same ones.
+/// Cuts along one path that have been tested for continuity, by the words of their ends. Both searches ask for the same
+/// ones.
 #[derive(Debug, Default)]
 pub(crate) struct TestedCuts {
     /// Fraction of the path at which the cuts begin.
@@ -73,8 +74,8 @@ impl StateFinder {
         Self { placer, single_turns, largest_bend_rad: None }
     }
 
-    /// Sets whether paths that pass a pole closely are led through it, where blocks contain tool vectors and an axis has
-    /// limits; `tip`: under tip control. Returns whether they are.
+    /// Sets whether paths that pass a pole closely are led through it, where blocks contain tool vectors and an axis
+    /// has limits; `tip`: under tip control. Returns whether they are.
     pub(crate) fn lead_through_poles(&mut self, tip: bool) -> bool {
         self.largest_bend_rad = self.placer.largest_bend().filter(|_| tip);
         self.largest_bend_rad.is_some()
@@ -170,8 +171,9 @@ impl StateFinder {
         (angle <= largest).then_some((part, pole))
     }
 
-    /// Whether a path between two tool axes is so short, and so far from the poles, that [`pole_between`](Self::pole_between)
-    /// finds none, and neither end is at one. `chord`: square of the distance between both.
+    /// Whether a path between two tool axes is so short, and so far from the poles, that
+    /// [`pole_between`](Self::pole_between) finds none, and neither end is at one. `chord`: square of the distance
+    /// between both.
     #[inline(always)]
     pub(crate) fn passes_far_from_poles(&self, chord: f64, to: &UnitVector3<f64>) -> bool {
         // A pole on the path, within its tolerance, is no farther from an end than the path is long and the tolerance.
@@ -238,8 +240,8 @@ impl StateFinder {
         states.iter().map(|state| self.at_pole(pole, axis, state)).collect()
     }
 
-    /// Whether a cut from one state to another keeps the tool on its path: the axes move continuously from end to end, and
-    /// inside their limits. `merged`: both branches are the same.
+    /// Whether a cut from one state to another keeps the tool on its path: the axes move continuously from end to end,
+    /// and inside their limits. `merged`: both branches are the same.
     pub(crate) fn connected(
         &self,
         from: (&Pose, &RotaryState),
@@ -250,16 +252,16 @@ impl StateFinder {
         self.is_joined(from, to, merged, tested) && self.stays_inside(from, to)
     }
 
-    /// Whether the words of one of these states are so near to a limit that a cut to a pose, whose tool axis moves along a great
-    /// circle, could exceed the limit between its ends.
+    /// Whether the words of one of these states are so near to a limit that a cut to a pose, whose tool axis moves
+    /// along a great circle, could exceed the limit between its ends.
     pub(crate) fn is_near_limit(&self, from: &Pose, to: &Pose, states: &[RotaryState]) -> bool {
         let Some(second) = self.placer.rotaries().get(1).filter(|rotary| !rotary.endless()) else { return false };
         let reach = math::rounded(self.reach_along(chord(from, to)));
         states.iter().any(|state| !(second.contains(state.words[1] - reach) && second.contains(state.words[1] + reach)))
     }
 
-    /// How far the second rotary axis may go beyond the ends of a cut, whose tool axis moves along a great circle, in units of the
-    /// words. `chord`: square of the distance between both tool axes.
+    /// How far the second rotary axis may go beyond the ends of a cut, whose tool axis moves along a great circle, in
+    /// units of the words. `chord`: square of the distance between both tool axes.
     #[inline(always)]
     pub(crate) fn reach_along(&self, chord: f64) -> f64 {
         (math::sqrt(chord) * SLOPE_NEAR_LIMIT).to_degrees() * self.placer.scale().units_per_degree
@@ -306,7 +308,8 @@ impl StateFinder {
         })
     }
 
-    /// Whether repeated halving of a part of a block, from share to share with their words, leads to rotations below 10°.
+    /// Whether repeated halving of a part of a block, from share to share with their words, leads to rotations below
+    /// 10°.
     fn is_continuous(
         &self,
         segment: &PathSegment,
@@ -359,8 +362,9 @@ impl StateFinder {
         self.placer.rotaries().iter().zip(words).all(|(rotary, &word)| rotary.contains(word))
     }
 
-    /// Whether both branches of a pose with these states are the same, or the other one is outside the limits: a cut may lead from
-    /// one to the other close to a pole, where its blocks are certified. Where the control finds the angles it keeps its branch.
+    /// Whether both branches of a pose with these states are the same, or the other one is outside the limits: a cut
+    /// may lead from one to the other close to a pole, where its blocks are certified. Where the control finds the
+    /// angles it keeps its branch.
     pub(crate) fn merged(&self, pose: &Pose, states: &[RotaryState]) -> bool {
         let one = || self.placer.machine().inverse_kinematics(pose, self.placer.held()).len() == 1;
         self.placer.rotaries().len() == 2

@@ -1,12 +1,13 @@
 //! Runs of cuts in which branches and turns stay the same.
 //!
-//! In a cut that rotates every axis by less than a quarter turn, all turns of a branch rotate alike, and as long as none enters
-//! or leaves the limits, each state of a pose comes from the state of its branch and turn in the pose before. Increments,
-//! times and travel are then the same for all of them: one sum for each branch takes the place of the layers of states.
+//! In a cut that rotates every axis by less than a quarter turn, all turns of a branch rotate alike, and as long as
+//! none enters or leaves the limits, each state of a pose comes from the state of its branch and turn in the pose
+//! before. Increments, times and travel are then the same for all of them: one sum for each branch takes the place of
+//! the layers of states.
 //!
-//! Only a rewind from the other branch can lead cheaper to a state than its own course, where that branch has fewer rewinds:
-//! before a cut the search [compares](super::search::CourseSearch::compare_rewinds) the two, unless the branches have [drifted
-//! apart](Drift) too little since the last comparison.
+//! Only a rewind from the other branch can lead cheaper to a state than its own course, where that branch has fewer
+//! rewinds: before a cut the search [compares](super::search::CourseSearch::compare_rewinds) the two, unless the
+//! branches have [drifted apart](Drift) too little since the last comparison.
 
 use wide::f64x2;
 
@@ -24,7 +25,8 @@ struct RunBranch {
     rotated: f64x2,
     lowest: f64x2,
     highest: f64x2,
-    /// 1 for a second axis with limits, if the branch has a state: a cut must not exceed them between its ends either. Else 0.
+    /// 1 for a second axis with limits, if the branch has a state: a cut must not exceed them between its ends either.
+    /// Else 0.
     is_limited: f64x2,
     /// Travel and time of the rotation.
     travel: f64x2,
@@ -38,12 +40,12 @@ pub(crate) struct BranchRotation {
     by: f64x2,
 }
 
-/// By how much the two branches of a run have travelled unlike each other since courses with a rewind were compared with those
-/// without.
+/// By how much the two branches of a run have travelled unlike each other since courses with a rewind were compared
+/// with those without.
 ///
-/// A rewind costs the travel between both branches. In a cut in which they rotate by `a` and `b`, that changes by at most
-/// `|a - b|`, and the difference of their travels by `||a| - |b||`: the difference of the two courses changes by no more than
-/// the sum of both.
+/// A rewind costs the travel between both branches. In a cut in which they rotate by `a` and `b`, that changes by at
+/// most `|a - b|`, and the difference of their travels by `||a| - |b||`: the difference of the two courses changes by
+/// no more than the sum of both.
 #[derive(Debug, Clone, Copy)]
 struct Drift {
     by: f64x2,
@@ -99,8 +101,8 @@ impl SteadyRun {
         })
     }
 
-    /// The rotations of a cut to a pose with these solutions; `reach`: how far the second axis may go beyond the ends of the
-    /// cut, in units of the words. `None` if the run ends before it.
+    /// The rotations of a cut to a pose with these solutions; `reach`: how far the second axis may go beyond the ends
+    /// of the cut, in units of the words. `None` if the run ends before it.
     #[inline(always)]
     pub(crate) fn rotations(&self, solutions: &[Solution<RotaryAngles>], reach: f64) -> Option<[BranchRotation; 2]> {
         if solutions.len() != self.branches.len() {
@@ -140,7 +142,8 @@ impl SteadyRun {
         self.drift.is_some_and(|drift| drift.by.reduce_add() > drift.least)
     }
 
-    /// Rewinds have been compared: they are not cheaper before the branches have drifted apart by `least`, in units of the words.
+    /// Rewinds have been compared: they are not cheaper before the branches have drifted apart by `least`, in units of
+    /// the words.
     pub(crate) fn compared(&mut self, least: f64) {
         self.drift = Some(Drift { by: f64x2::ZERO, least });
     }

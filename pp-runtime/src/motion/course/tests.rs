@@ -293,8 +293,8 @@ proptest! {
     }
 }
 
-/// The course of a navigator that takes a run of cuts where one can begin and `begins`, and searches elsewhere; `after` sees it after
-/// each motion.
+/// The course of a navigator that takes a run of cuts where one can begin and `begins`, and searches elsewhere; `after`
+/// sees it after each motion.
 fn course_in_runs(
     config: &Config,
     points: &[Point],

@@ -111,8 +111,8 @@ impl<'a> ArcGeometry<'a> {
 
     /// Two values between which `direction · p` is at every point `p` of the arc, and not far outside of its own.
     ///
-    /// It is `c + H cos(t - φ) + s h` for the centre, the circle and a height `h` between those of the ends, so it leaves
-    /// `c + s h` by no more than `H`.
+    /// It is `c + H cos(t - φ) + s h` for the centre, the circle and a height `h` between those of the ends, so it
+    /// leaves `c + s h` by no more than `H`.
     pub(crate) fn bounds(&self, direction: Vector3<f64>) -> [f64; 2] {
         let circle = self.radius() * math::hypot(self.u.dot(&direction), self.v.dot(&direction));
         let heights_mm = [self.level_mm, self.level_mm + self.rise_mm];
@@ -123,8 +123,8 @@ impl<'a> ArcGeometry<'a> {
         [smaller(along[0], along[1]) - aside, larger(along[0], along[1]) + aside]
     }
 
-    /// Lowest and highest coordinate of the tip along an axis of the workpiece, mm; where the arc certainly stays within `known`,
-    /// those of its ends.
+    /// Lowest and highest coordinate of the tip along an axis of the workpiece, mm; where the arc certainly stays
+    /// within `known`, those of its ends.
     #[inline(always)]
     fn range(&self, axis: usize, known: Option<[[f64; 3]; 2]>) -> [f64; 2] {
         let (start, end) = (self.arc.start.tip[axis], self.arc.end.tip[axis]);
@@ -155,7 +155,7 @@ impl<'a> ArcGeometry<'a> {
         self.range_beyond(axis, (across, rise_mm), ends, known)
     }
 
-    /// The same of an arc whose circle is not known to be within.
+    /// Lowest and highest coordinate of an arc whose circle is not known to be within.
     #[inline(never)]
     fn range_beyond(
         &self,
@@ -188,18 +188,20 @@ impl<'a> ArcGeometry<'a> {
         (self.radii_mm[1] - self.radii_mm[0]).abs() > 0.0 || rise_mm.abs() > 0.0
     }
 
-    /// Coordinate along an axis of the point of its circle that is furthest to a side, 1 or -1, at a part of the arc. `across`:
-    /// motion along the axis for a radius of 1; `rise_mm`: rise along it, which moves no extreme.
+    /// Coordinate along an axis of the point of its circle that is furthest to a side, 1 or -1, at a part of the arc.
+    /// `across`: motion along the axis for a radius of 1; `rise_mm`: rise along it, which moves no extreme.
     fn of_circle(&self, axis: usize, (across, rise_mm): (f64, f64), (side, part): (f64, f64)) -> f64 {
         let wider_mm = self.radii_mm[1] - self.radii_mm[0];
         let start = self.arc.centre[axis] + self.arc.normal[axis] * self.level_mm;
         start + side * across * (self.radii_mm[0] + wider_mm * part) + rise_mm * part
     }
 
-    /// Coordinates along an axis of the extremes, lowest and highest, that an arc of one revolution at most has between its ends.
+    /// Coordinates along an axis of the extremes, lowest and highest, that an arc of one revolution at most has between
+    /// its ends.
     ///
-    /// They are the coordinate of the centre, less or plus the radius times `across`. An arc of at most half a revolution passes
-    /// the highest point if it begins to climb and ends falling; a longer one, unless the rest of its circle does.
+    /// They are the coordinate of the centre, less or plus the radius times `across`. An arc of at most half a
+    /// revolution passes the highest point if it begins to climb and ends falling; a longer one, unless the rest of its
+    /// circle does.
     fn turning_points(&self, axis: usize, (across, rise_mm): (f64, f64)) -> [Option<f64>; 2] {
         let (a, b) = (self.u[axis], self.v[axis]);
         let (angle, end) = (self.arc.angle_rad, self.arc.end.tip - self.arc.centre);
@@ -234,8 +236,8 @@ impl<'a> ArcGeometry<'a> {
     }
 }
 
-/// Whether an arc is about an axis parallel to Z, and a box certainly holds it in X and Y: no point is further from that axis than
-/// one of its ends.
+/// Whether an arc is about an axis parallel to Z, and a box certainly holds it in X and Y: no point is further from
+/// that axis than one of its ends.
 fn holds_upright(arc: &Arc, [lowest, highest]: [[f64; 3]; 2]) -> bool {
     let [x, y, _] = <[f64; 3]>::from(arc.normal.into_inner());
     let from_axis = |tip: Point3<f64>| math::hypot(tip.x - arc.centre.x, tip.y - arc.centre.y);
@@ -248,8 +250,8 @@ fn holds_upright(arc: &Arc, [lowest, highest]: [[f64; 3]; 2]) -> bool {
     x == 0.0 && y == 0.0 && holds(0) && holds(1)
 }
 
-/// Bounding box of the tip on an arc: its lowest and its highest corner, mm. Along an axis on which a box in `known` certainly
-/// holds the arc, that of its ends.
+/// Bounding box of the tip on an arc: its lowest and its highest corner, mm. Along an axis on which a box in `known`
+/// certainly holds the arc, that of its ends.
 pub(crate) fn extent(arc: &Arc, known: Option<[[f64; 3]; 2]>) -> [[f64; 3]; 2] {
     if known.is_some_and(|known| holds_upright(arc, known)) {
         let (start, end) = (arc.start.tip, arc.end.tip);
@@ -388,7 +390,7 @@ mod tests {
             }
         }
 
-        /// The same of arcs in a plane whose ends are equally far from the centre to the last bit.
+        /// So is the box of arcs in a plane whose ends are equally far from the centre to the last bit.
         #[test]
         fn the_box_around_arcs_with_equal_radii_is_that_of_their_boxes(
             arcs in prop::collection::vec(
@@ -415,8 +417,8 @@ mod tests {
             }
         }
 
-        /// A box around many arcs is the same to the last bit, whether the boxes of all are computed or only those of arcs that
-        /// may leave it.
+        /// A box around many arcs is the same to the last bit, whether the boxes of all are computed or only those of
+        /// arcs that may leave it.
         #[test]
         fn the_box_around_arcs_is_that_of_their_boxes(
             arcs in prop::collection::vec(

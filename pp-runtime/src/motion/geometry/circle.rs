@@ -1,9 +1,10 @@
 //! Words of a circle: the end points are rounded first, then the centre is computed from them.
 //!
 //! A control compares the distances of both ends from the centre. Therefore the centre is the point on the
-//! perpendicular bisector of the *rounded* ends that is nearest to the nominal centre, rounded to the nearest grid point, or
-//! to a neighbour of this whose distances from both ends differ by less than half as much. Lengths are mm in the plane of
-//! the circle, in program coordinates: the first axis, then the second, which is 90° counter-clockwise from it.
+//! perpendicular bisector of the *rounded* ends that is nearest to the nominal centre, rounded to the nearest grid
+//! point, or to a neighbour of this whose distances from both ends differ by less than half as much. Lengths are mm in
+//! the plane of the circle, in program coordinates: the first axis, then the second, which is 90° counter-clockwise
+//! from it.
 
 use std::f64::consts::{PI, TAU};
 
@@ -67,8 +68,8 @@ pub struct Circle {
 }
 
 impl Circle {
-    /// Distance, in units, of the end of an arc that is programmed by its angle from the end of its words; `offset`: the
-    /// same at its start.
+    /// Distance, in units, of the end of an arc that is programmed by its angle from the end of its words; `offset`:
+    /// the same at its start.
     pub(crate) fn drift(&self, offset: [f64; 2], end: [i64; 2]) -> [f64; 2] {
         let (sine, cosine) = math::sin_cos(if self.clockwise { -self.sweep_rad } else { self.sweep_rad });
         let from_centre = |point: [i64; 2], axis: usize| (point[axis] - self.centre[axis]) as f64;
@@ -76,8 +77,8 @@ impl Circle {
         [x * cosine - y * sine - from_centre(end, 0), x * sine + y * cosine - from_centre(end, 1)]
     }
 
-    /// Largest speed along a direction of X, Y and Z, or against it, times the time of the arc, in units, as the words state the arc.
-    /// `offset`: distance of its start from the start of its words; `end`: end of its words.
+    /// Largest speed along a direction of X, Y and Z, or against it, times the time of the arc, in units, as the words
+    /// state the arc. `offset`: distance of its start from the start of its words; `end`: end of its words.
     ///
     /// With `a` and `b` the shares of the start and of the point a quarter turn after it, seen from the centre, it is
     /// `b cos t - a sin t` per radian, which is largest where `tan t = -a/b`.
@@ -145,7 +146,8 @@ pub(crate) struct CircleFit {
     pub(crate) centre: [i64; 2],
     /// Sweep of the circle that the words describe.
     pub(crate) sweep_rad: f64,
-    /// No less than its [deviation](NominalCircle::deviation) from the nominal circle, and seldom as much as twice that.
+    /// No less than its [deviation](NominalCircle::deviation) from the nominal circle, and seldom as much as twice
+    /// that.
     pub(crate) largest_deviation: CircleDeviation,
 }
 
@@ -191,8 +193,8 @@ impl NominalCircle {
         }
     }
 
-    /// An upper bound of the deviation of a circle about a centre with these radii, from the displacements of the centre and of
-    /// the radii, mm.
+    /// An upper bound of the deviation of a circle about a centre with these radii, from the displacements of the
+    /// centre and of the radii, mm.
     fn largest_deviation(&self, centre: [f64; 2], radii: [f64; 2]) -> CircleDeviation {
         let centre_mm = length(minus(centre, self.centre_mm));
         let wider = larger((radii[0] - self.radii_mm[0]).abs(), (radii[0] - self.radii_mm[1]).abs());
@@ -255,8 +257,8 @@ impl NominalCircle {
         if nearest.iter().any(|units| units.abs() > MAX_UNITS) {
             return None;
         }
-        // The difference of the squares of both distances, in units: whole numbers, and exact for arcs of less than 2^26 units. Where
-        // the distances are equal it is zero.
+        // The difference of the squares of both distances, in units: whole numbers, and exact for arcs of less than
+        // 2^26 units. Where the distances are equal it is zero.
         let twice = [0, 1].map(|axis| (start[axis] + end[axis] - 2 * nearest[axis]) as f64);
         let chord = [0, 1].map(|axis| (start[axis] - end[axis]) as f64);
         let of_nearest = dot(chord, twice);
@@ -407,8 +409,8 @@ mod tests {
         assert!(written > 1000 && left > 100, "{written} {left}");
     }
 
-    /// Ends within half a unit in each axis of the nominal ones: their distances from the nominal centre differ by at most
-    /// √2 units, so that it is `√½ / sin(sweep / 2)` from their bisector; the grid and its neighbour add 3 √½.
+    /// Ends within half a unit in each axis of the nominal ones: their distances from the nominal centre differ by at
+    /// most √2 units, so that it is `√½ / sin(sweep / 2)` from their bisector; the grid and its neighbour add 3 √½.
     /// A circle deviates by at most the displacement of its centre and of its radius.
     fn largest_by_rounding(sweep: f64) -> f64 {
         let end = 0.5_f64.sqrt() / GRID.units_per_mm;

@@ -47,8 +47,8 @@ pub(crate) fn line_enters(clearance: &Clearance, from: &Point3<f64>, to: &Point3
     }
 }
 
-/// Whether a plane separates points from the clearance geometry, each by `margin_mm` at least: then the convex hull of the
-/// points is outside. `false` also where no plane that touches a face is such a plane.
+/// Whether a plane separates points from the clearance geometry, each by `margin_mm` at least: then the convex hull of
+/// the points is outside. `false` also where no plane that touches a face is such a plane.
 pub(crate) fn is_separated(clearance: &Clearance, points: &[Point3<f64>], margin_mm: f64) -> bool {
     let above = |normal: Vector3<f64>, face_mm: f64| {
         points.iter().all(|point| point.coords.dot(&normal) - face_mm >= margin_mm)

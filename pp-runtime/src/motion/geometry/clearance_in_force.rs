@@ -37,7 +37,8 @@ impl ClearanceGeometry {
         self.in_force.as_ref()
     }
 
-    /// Distance along the tool axis until the tool is outside, mm; `None` without geometry, or where the axis never leaves it.
+    /// Distance along the tool axis until the tool is outside, mm; `None` without geometry, or where the axis never
+    /// leaves it.
     pub(crate) fn retract_distance_mm(&self, from: &Pose) -> Option<f64> {
         self.in_force.and_then(|clearance| distance_to_clear(&clearance, &from.tip, &from.axis))
     }

@@ -1,15 +1,16 @@
 //! A contour that a control offsets: whether the exact offset keeps a part of every element.
 //!
-//! Elements are lines and arcs in the plane of the program, mm. The exact offset of a line is a line, that of an arc an arc
-//! about the same centre. Around a convex corner the tool rolls, and nothing is lost. At a concave corner both offsets end
-//! where they meet: each loses a piece, the *trim*. An element is refused where its offset has no length left, or none at
-//! all: a control leaves it out, stops, or cuts into the part.
+//! Elements are lines and arcs in the plane of the program, mm. The exact offset of a line is a line, that of an arc an
+//! arc about the same centre. Around a convex corner the tool rolls, and nothing is lost. At a concave corner both
+//! offsets end where they meet: each loses a piece, the *trim*. An element is refused where its offset has no length
+//! left, or none at all: a control leaves it out, stops, or cuts into the part.
 //!
-//! A control may take a small corner as straight on: the element after it begins where the one before has ended, and an arc that
-//! becomes longer by that stops the program.
+//! A control may take a small corner as straight on: the element after it begins where the one before has ended, and an
+//! arc that becomes longer by that stops the program.
 //!
 //! The lead-in is an element like others, since LinuxCNC begins the contour where both offsets meet. No control
-//! lets the lead-out trim the contour, so it loses its own piece only. Elements that are not neighbours are not compared.
+//! lets the lead-out trim the contour, so it loses its own piece only. Elements that are not neighbours are not
+//! compared.
 
 use std::f64::consts::{PI, TAU};
 
@@ -64,7 +65,8 @@ pub(crate) enum OffsetMisfit {
 pub(crate) struct OffsetContour {
     /// Distance to the left.
     left_mm: f64,
-    /// Largest corner that the control takes as straight on, and angle by which an arc may become longer; 0 where it takes none.
+    /// Largest corner that the control takes as straight on, and angle by which an arc may become longer; 0 where it
+    /// takes none.
     straight_rad: [f64; 2],
     last: Option<OffsetElement>,
 }
@@ -102,7 +104,8 @@ impl ContourElement {
 }
 
 impl OffsetContour {
-    /// A contour offset by a distance to the left of its direction, or to the right if it is negative, begins with its lead-in.
+    /// A contour offset by a distance to the left of its direction, or to the right if it is negative, begins with its
+    /// lead-in.
     pub(crate) fn begin(left_mm: f64, lead_in: &ContourElement) -> Result<Self, OffsetMisfit> {
         check_lead(lead_in, left_mm)?;
         let mut contour = Self { left_mm, straight_rad: [0.0; 2], last: None };
@@ -110,7 +113,8 @@ impl OffsetContour {
         Ok(contour)
     }
 
-    /// The same on a control that takes corners as straight on: the largest one, and the angle by which an arc may become longer.
+    /// This contour on a control that takes corners as straight on: the largest one, and the angle by which an arc may
+    /// become longer.
     pub(crate) fn with_straight_corners(mut self, straight_rad: [f64; 2]) -> Self {
         self.straight_rad = straight_rad;
         self
@@ -233,7 +237,7 @@ impl OffsetElement {
         math::atan2(cross(from, to), dot(from, to)) * self.length_mm / sweep_rad
     }
 
-    /// The same in its direction.
+    /// Length of the offset from a point of it to another, in its direction: up to a revolution.
     fn between(&self, from: InPlane, to: InPlane) -> f64 {
         let ahead = self.ahead(from, to);
         match self.element.arc {

@@ -66,12 +66,13 @@ options! {
         output: CycleOutput = CycleOutput::Native, key("cycles.output", OneOf(&CycleOutput::NAMES));
         /// Rigid tapping, where the control has a code for it (M29 of Fanuc).
         rigid: bool = true, key("cycles.rigid", YesNo);
-        /// F of a thread: per "minute", or per "revolution" (G95), where F is the pitch (Fanuc, Haas; the other controls take the
-        /// pitch in any case).
+        /// F of a thread: per "minute", or per "revolution" (G95), where F is the pitch (Fanuc, Haas; the other
+        /// controls take the pitch in any case).
         thread_feed: ThreadFeed = ThreadFeed::PerMinute, key("cycles.thread_feed", OneOf(&ThreadFeed::NAMES));
-        /// Direction in which the tool leaves the wall of a bore where the spindle has stopped at its angle (BORE with ORIENT),
-        /// away from the cutting edge: "+X", "-X", "+Y" or "-Y" of the program. Such a bore is refused without it, and in other
-        /// modes than "axes", where the tool axis has to be Z of the program: set `mode = "axes"` for its operation.
+        /// Direction in which the tool leaves the wall of a bore where the spindle has stopped at its angle (BORE with
+        /// ORIENT), away from the cutting edge: "+X", "-X", "+Y" or "-Y" of the program. Such a bore is refused without
+        /// it, and in other modes than "axes", where the tool axis has to be Z of the program: set `mode = "axes"` for
+        /// its operation.
         bore_retract: Option<BoreRetract> = None, key("cycles.bore_retract", OneOf(&BoreRetract::NAMES), "\"-X\"");
         /// Distance by which it leaves the wall.
         bore_shift_mm: f64 = 0.2, key("cycles.bore_shift", Measure::length(Bound::Positive).unless(far_off));

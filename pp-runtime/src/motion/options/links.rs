@@ -11,23 +11,24 @@ use super::no_dwell;
 options! {
     /// Motion between cuts.
     pub struct RapidOptions {
-        /// Transition between operations: "safe" (retract, rotate, approach), "direct" (as in the CL data) or "auto" (safe where the
-        /// tool, its axis or the set-up changes, where a rotary axis is in the head, and where blocks of the shop come between
-        /// operations; else as in the CL data where the first motion is a rapid that stays out of the clearance geometry, which
-        /// `clearance` or CLEARP states).
+        /// Transition between operations: "safe" (retract, rotate, approach), "direct" (as in the CL data) or "auto"
+        /// (safe where the tool, its axis or the set-up changes, where a rotary axis is in the head, and where blocks
+        /// of the shop come between operations; else as in the CL data where the first motion is a rapid that stays out
+        /// of the clearance geometry, which `clearance` or CLEARP states).
         transition: Transition = Transition::Auto, key("transition", OneOf(&Transition::NAMES));
-        /// Rapids in which a rotary axis rotates by more than this are replaced by the safe sequence, if they are no links.
+        /// Rapids in which a rotary axis rotates by more than this are replaced by the safe sequence, if they are no
+        /// links.
         index_angle_rad: f64 = 1_f64.to_radians(), key("index_angle", Measure::angle(Bound::NotNegative));
-        /// Links, the rapids inside an operation that rotate the tool between cuts that rotate it as well: "follow" (as in the
-        /// CL data, where every block keeps tip and tool axis on their path within tolerance: as rapids whose axes arrive
-        /// together, `control.linear_rapids`, or at `rapid_feed`; by the safe sequence where neither is possible) or "safe"
-        /// (always by the safe sequence).
+        /// Links, the rapids inside an operation that rotate the tool between cuts that rotate it as well: "follow" (as
+        /// in the CL data, where every block keeps tip and tool axis on their path within tolerance: as rapids whose
+        /// axes arrive together, `control.linear_rapids`, or at `rapid_feed`; by the safe sequence where neither is
+        /// possible) or "safe" (always by the safe sequence).
         links: Links = Links::Follow, key("links", OneOf(&Links::NAMES));
-        /// Rapids inside an operation: "direct" (one block), "split" (two blocks, along the tool axis and across it: out
-        /// first, in last) or "feed" (a feed motion at `rapid_feed`, on a certified path).
+        /// Rapids inside an operation: "direct" (one block), "split" (two blocks, along the tool axis and across it:
+        /// out first, in last) or "feed" (a feed motion at `rapid_feed`, on a certified path).
         rapid: Rapid = Rapid::Direct, key("rapid", OneOf(&Rapid::NAMES));
-        /// Feed of rapids that are written as feed motions: all with `rapid = "feed"`, else links where the axes of a rapid do
-        /// not arrive together.
+        /// Feed of rapids that are written as feed motions: all with `rapid = "feed"`, else links where the axes of a
+        /// rapid do not arrive together.
         rapid_feed_mm_per_min: Option<f64> = None, also("rapid_feed", Measure::length(Bound::Positive), "10000.0");
         /// Speed of rotary axes where only the direction of the tool changes.
         reorient_rad_per_min: f64 = 1800_f64.to_radians(), key("reorient_speed", Measure::angle(Bound::Positive));
@@ -40,15 +41,15 @@ options! {
         /// Machine coordinate of the retract axis.
         position_mm: Option<f64> = None,
             key("retract.position", Assumed(Measure::length(Bound::Any), Self::POSITION_MM));
-        /// The other linear axes go to their home positions before the rotary axes rotate, and before they are programmed where
-        /// their position is unknown: at the start, after a tool change or a stop.
+        /// The other linear axes go to their home positions before the rotary axes rotate, and before they are
+        /// programmed where their position is unknown: at the start, after a tool change or a stop.
         home_on_indexing: bool = false, key("retract.home_on_indexing", YesNo);
-        /// Home positions of these axes for `home_on_indexing`, machine coordinates; 0 where none is given. With "G91 G28" they
-        /// are the reference positions.
+        /// Home positions of these axes for `home_on_indexing`, machine coordinates; 0 where none is given. With "G91
+        /// G28" they are the reference positions.
         xy_mm: BTreeMap<char, f64> = BTreeMap::new(), key("retract.xy", HOME);
-        /// Positions of axes, after the machine retract, for a tool change: degrees, and machine coordinates of linear axes, which
-        /// come last. For changes by hand at the door, and for changers that do not move the axes there themselves. Axes without
-        /// one stay where they are.
+        /// Positions of axes, after the machine retract, for a tool change: degrees, and machine coordinates of linear
+        /// axes, which come last. For changes by hand at the door, and for changers that do not move the axes there
+        /// themselves. Axes without one stay where they are.
         tool_change_position: BTreeMap<char, f64> = BTreeMap::new(), key("retract.tool_change_position", PARK);
         /// Distance along the tool axis. Without it, up to the clearance geometry: `clearance`, or CLEARP of the
         /// CL data.
@@ -70,8 +71,8 @@ options! {
 options! {
     /// Approach to the part.
     pub struct Approach in "approach" {
-        /// Distance of the approach point from the first point, along the tool axis. 0 where the CL data itself leads to the part,
-        /// with a rapid as the first motion of each operation.
+        /// Distance of the approach point from the first point, along the tool axis. 0 where the CL data itself leads
+        /// to the part, with a rapid as the first motion of each operation.
         distance_mm: f64 = 50.0, key("approach.distance", Measure::length(Bound::NotNegative));
     }
 }

@@ -129,8 +129,8 @@ options! {
         /// Words of mode "tcp" for the tool axis: "angles" of the rotary axes, or "vectors", for which the control
         /// chooses the angles.
         tcp_words: TcpWords = TcpWords::Angles, key("tcp_words", OneOf(&TcpWords::NAMES));
-        /// Motion of the tool axis in a block of mode "tcp": rotary "axes" evenly, or in the "plane" of its start and end
-        /// directions.
+        /// Motion of the tool axis in a block of mode "tcp": rotary "axes" evenly, or in the "plane" of its start and
+        /// end directions.
         tool_posture: ToolPosture = ToolPosture::Axes, key("tool_posture", OneOf(&ToolPosture::NAMES));
         /// Confirms that in mode "tcp" the control accounts for held axes and for linear axes between rotary ones, and
         /// that in modes "tcp" and "plane" entries of `rotary_offset` in the work offset do not move its frame.
@@ -142,7 +142,8 @@ options! {
     /// Words and clamps of rotary axes.
     pub struct RotaryOptions {
         /// Rollover of the words of endless rotary axes: "none" (words count beyond 360), "0..360" or "+-180" (the
-        /// control takes the shortest path, on Siemens by DC(..), on Heidenhain by M126), "sign" (0..360, with the sense of rotation as sign).
+        /// control takes the shortest path, on Siemens by DC(..), on Heidenhain by M126), "sign" (0..360, with the
+        /// sense of rotation as sign).
         wrap: BTreeMap<char, Wrap> = BTreeMap::new(), key("wrap", WRAP);
         /// Steps of indexed rotary axes (Hirth): they rotate between cuts only, and to multiples of the step only.
         grid: BTreeMap<char, f64> = BTreeMap::new(), key("grid", GRID);

@@ -59,14 +59,16 @@ pub(crate) struct LinearAxes {
     pub(crate) retract_axis: usize,
     /// Component of the tool axis along the positive direction of the retract axis, at the zero position.
     pub(crate) retract_share: f64,
-    /// A retract along the retract axis, outside tip control and planes, is one along the tool axis at any rotary angles.
+    /// A retract along the retract axis, outside tip control and planes, is one along the tool axis at any rotary
+    /// angles.
     pub(crate) retracts_along_tool: bool,
     /// The path length that the control computes from the words equals that of the tip.
     pub(crate) keeps_path_length: bool,
 }
 
 impl LinearAxes {
-    /// Word of an axis value in whole units, and the axis value of the rounded word, mm. `shift_mm`: word minus axis value.
+    /// Word of an axis value in whole units, and the axis value of the rounded word, mm. `shift_mm`: word minus axis
+    /// value.
     #[inline]
     pub(crate) fn rounded(&self, value_mm: f64, shift_mm: f64) -> Result<(i64, f64), Overflow> {
         let units = whole_units(value_mm + shift_mm, self.scale.units_per_mm)?;
@@ -181,8 +183,8 @@ impl Poles {
         Self { axes: poles(machine, rotaries), tolerance_rad }
     }
 
-    /// Whether the square of the distance of a tool axis from each pole is certainly larger than this. For a quick answer: where
-    /// it is not certain, the poles are to be compared one by one.
+    /// Whether the square of the distance of a tool axis from each pole is certainly larger than this. For a quick
+    /// answer: where it is not certain, the poles are to be compared one by one.
     #[inline(always)]
     pub(crate) fn are_farther(&self, axis: &UnitVector3<f64>, square: f64) -> bool {
         // The second one is opposite.

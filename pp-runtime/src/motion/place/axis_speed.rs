@@ -1,14 +1,15 @@
 //! Speeds of the axes within a block under tip control.
 //!
-//! The control moves the tip on a line and the rotary axes evenly; the linear axes follow on curves, on which they are now
-//! faster, now slower. Some controls do not hold the speeds of the axes there, so the block has to take long enough.
+//! The control moves the tip on a line and the rotary axes evenly; the linear axes follow on curves, on which they are
+//! now faster, now slower. Some controls do not hold the speeds of the axes there, so the block has to take long
+//! enough.
 //!
-//! With `s` the share of the block, `θ` the sum of its rotations, `ΔP` its tip path and `w` a bound of the distance from the
-//! tip to the centre lines, a linear axis `q(s)` has `|q'''| <= J = w θ³ + 3 |ΔP| θ²`, times the length of its row in the map from
-//! the workpiece to the axes.
+//! With `s` the share of the block, `θ` the sum of its rotations, `ΔP` its tip path and `w` a bound of the distance
+//! from the tip to the centre lines, a linear axis `q(s)` has `|q'''| <= J = w θ³ + 3 |ΔP| θ²`, times the length of its
+//! row in the map from the workpiece to the axes.
 //!
-//! Where a rotary axis carries a linear one, the map `A` itself changes: with `r` its longest row `|A'| <= r² θ`, `|A''| <= 3 r³ θ²`
-//! and `|A'''| <= 13 r⁴ θ³`, so that `J = r⁴ (26 w θ³ + 18 |ΔP| θ²)`.
+//! Where a rotary axis carries a linear one, the map `A` itself changes: with `r` its longest row `|A'| <= r² θ`,
+//! `|A''| <= 3 r³ θ²` and `|A'''| <= 13 r⁴ θ³`, so that `J = r⁴ (26 w θ³ + 18 |ΔP| θ²)`.
 //!
 //! Over a part of length `h` that it passes with the step `Δ`, `Δ'` being that of a part next to it,
 //!
@@ -32,11 +33,11 @@ const MOST_PARTS: f64 = 1024.0;
 const MOST_SLOWED: f64 = 1000.0;
 
 impl Placer {
-    /// Time of a block under tip control in which no axis exceeds its speed anywhere, min; 0 if speeds need not be kept. It may be
-    /// any time up to `enough_min` where that is long enough.
+    /// Time of a block under tip control in which no axis exceeds its speed anywhere, min; 0 if speeds need not be
+    /// kept. It may be any time up to `enough_min` where that is long enough.
     ///
-    /// The block is divided until the bound is at most a hundredth above the time that is needed. The longest row of the map is that at
-    /// both ends.
+    /// The block is divided until the bound is at most a hundredth above the time that is needed. The longest row of
+    /// the map is that at both ends.
     pub(crate) fn least_minutes_at_tip(&self, from: &AxisPosition, to: &AxisPosition, enough_min: f64) -> f64 {
         let ends = self.least_minutes(from, to).unwrap_or(0.0);
         let rotation: f64 =
@@ -60,7 +61,8 @@ impl Placer {
         }
     }
 
-    /// Time that the fastest place of a block needs at least, and a bound for any place in it. `unsure_mm`: of each speed.
+    /// Time that the fastest place of a block needs at least, and a bound for any place in it. `unsure_mm`: of each
+    /// speed.
     fn minutes_by_parts(&self, from: &AxisPosition, to: &AxisPosition, parts: f64, unsure_mm: f64) -> Option<[f64; 2]> {
         let at = |part: u32| self.on_the_way(from, to, f64::from(part) / parts);
         let (mut before, mut axes) = (at(0)?, at(1)?);

@@ -50,9 +50,9 @@ pub(crate) fn orthogonal(machine: &dyn AnyMachine, axes: &[Axis]) -> bool {
     })
 }
 
-/// Whether `a · R₁ ⋯ Rₙ b` is zero at any angles but those given. By the last angle θ the vector is `p + u cos θ + w sin θ`, with
-/// the part `p` of `b` along the axis, the rest `u`, and `w` a quarter of a revolution on: the product is zero at any θ if it is
-/// so for each of the three.
+/// Whether `a · R₁ ⋯ Rₙ b` is zero at any angles but those given. By the last angle θ the vector is
+/// `p + u cos θ + w sin θ`, with the part `p` of `b` along the axis, the rest `u`, and `w` a quarter of a revolution
+/// on: the product is zero at any θ if it is so for each of the three.
 fn stays_perpendicular(a: &Vector3<f64>, between: &[(Joint, Option<f64>)], b: &Vector3<f64>) -> bool {
     let Some(((joint, held), before)) = between.split_last() else { return a.dot(b).abs() < PERPENDICULAR_AXES };
     let along = joint.direction.into_inner() * joint.direction.dot(b);

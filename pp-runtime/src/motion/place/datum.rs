@@ -23,7 +23,8 @@ pub(crate) struct Datum {
     zero_mm: [f64; MAX_AXES],
     /// Addition to the linear words for 1 mm of gauge length.
     share: [f64; MAX_AXES],
-    /// Written words minus axis values with the tool in the spindle: of linear axes, mm; of rotary axes minus their words, in units.
+    /// Written words minus axis values with the tool in the spindle: of linear axes, mm; of rotary axes minus their
+    /// words, in units.
     shifts: AxisValues,
     /// Rotary offsets in units of words.
     offsets: [f64; MAX_AXES],
@@ -73,7 +74,7 @@ impl Datum {
         self.shifts[index]
     }
 
-    /// The same of all axes; of rotary ones the written word minus the word, in units.
+    /// Words minus values of all axes; of rotary ones the written word minus the word, in units.
     #[inline]
     pub(crate) fn shifts(&self) -> &AxisValues {
         &self.shifts

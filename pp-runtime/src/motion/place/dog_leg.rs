@@ -22,8 +22,8 @@ pub(crate) struct DogLeg {
 impl Placer {
     /// The box of a rapid between two positions; `None` where a single linear axis moves, on a line.
     ///
-    /// At fixed rotary axes the tip is an affine function of the linear ones. Where a rotary axis rotates by θ, a tip at the
-    /// distance r from its centre line is no farther than r·θ²/8 from the chord.
+    /// At fixed rotary axes the tip is an affine function of the linear ones. Where a rotary axis rotates by θ, a tip
+    /// at the distance r from its centre line is no farther than r·θ²/8 from the chord.
     pub(crate) fn dog_leg(&self, from: &AxisPosition, to: &AxisPosition) -> Option<DogLeg> {
         let moves = |index: &usize| (from.axes[*index] - to.axes[*index]).abs() > SAME_AXIS_VALUE;
         let moved: Vec<usize> = (0..self.chain.len()).filter(moves).collect();

@@ -1,10 +1,10 @@
 //! Entry of tip control: how the tool comes over its approach point before the retract axis moves.
 //!
-//! From the machine retract the axes across the retract axis move first, in words that do not move the retract axis. A rapid
-//! need not be straight: if all linear axes moved together, the tool could be down next to a tilted table before it is over
-//! the part. Under tip control itself the words X and Y are such words only where the rotary axes of the table leave the
-//! direction of the retract axis alone; over a tilted table they come before tip control, in a frame of the control that
-//! knows where the part is, or as axis positions.
+//! From the machine retract the axes across the retract axis move first, in words that do not move the retract axis. A
+//! rapid need not be straight: if all linear axes moved together, the tool could be down next to a tilted table before
+//! it is over the part. Under tip control itself the words X and Y are such words only where the rotary axes of the
+//! table leave the direction of the retract axis alone; over a tilted table they come before tip control, in a frame of
+//! the control that knows where the part is, or as axis positions.
 
 use nalgebra::UnitVector3;
 
@@ -34,8 +34,8 @@ impl TipEntry {
 }
 
 impl Placer {
-    /// What moves before tip control is switched on for the approach point `above`; `None` if the words of the tip alone can
-    /// bring the tool over it.
+    /// What moves before tip control is switched on for the approach point `above`; `None` if the words of the tip
+    /// alone can bring the tool over it.
     pub(crate) fn tip_entry(
         &self,
         above: &AxisPosition,

@@ -240,8 +240,8 @@ impl WordFrame {
         WordMap { rotation: self.signs * rotation, shift_mm: self.signs * (moved_mm + self.zero_mm) }
     }
 
-    /// Certified bound of the deviation in a block; `bound` is that of a block in which all axes move linearly. Where the
-    /// control leads the tip itself, it keeps the feed as well: no speed of the tip is given.
+    /// Certified bound of the deviation in a block; `bound` is that of a block in which all axes move linearly. Where
+    /// the control leads the tip itself, it keeps the feed as well: no speed of the tip is given.
     pub(crate) fn bound(&self, bound: MotionBound) -> MotionBound {
         match (&self.meaning, self.posture) {
             (LinearWords::Axes | LinearWords::Turning, _) => bound,

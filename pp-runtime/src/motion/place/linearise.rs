@@ -5,17 +5,18 @@
 //! [`Machine::motion`](crate::kinematics::Machine::motion) certifies every piece, for the words as they are written:
 //! the tolerance is reduced by their rounding.
 //!
-//! A motion has equal pieces, as few as certify: a control moves evenly through blocks of one length, and is slowed by a
-//! remainder. Because deviations grow with the square of the length, the worst deviation of one number of pieces predicts
-//! the next number to try. Points in between are *poses* of the path, inverted.
+//! A motion has equal pieces, as few as certify: a control moves evenly through blocks of one length, and is slowed by
+//! a remainder. Because deviations grow with the square of the length, the worst deviation of one number of pieces
+//! predicts the next number to try. Points in between are *poses* of the path, inverted.
 //!
-//! [`RotationLaw`] selects the points in between, and whether the tool axis must be in step with the tip. Where the rotary axes go evenly from end to end, as under tip control, no
-//! axis reverses that does not in the CL data; the tool axis leaves its great circle, by no more than its tolerance for the
-//! whole motion. Otherwise, and where it would leave it by more, the points are on the great circle.
+//! [`RotationLaw`] selects the points in between, and whether the tool axis must be in step with the tip. Where the
+//! rotary axes go evenly from end to end, as under tip control, no axis reverses that does not in the CL data; the tool
+//! axis leaves its great circle, by no more than its tolerance for the whole motion. Otherwise, and where it would
+//! leave it by more, the points are on the great circle.
 //!
-//! Where the axes rotate far more in one part of a motion than in the others, near a pole, equal pieces would be many times
-//! as many as needed: more than [`MOST_TIMES`] the number of longest pieces, one after the other. There the lengths are
-//! powers of two of the whole, as long as certifies, and neighbours differ by a factor of two at most.
+//! Where the axes rotate far more in one part of a motion than in the others, near a pole, equal pieces would be many
+//! times as many as needed: more than [`MOST_TIMES`] the number of longest pieces, one after the other. There the
+//! lengths are powers of two of the whole, as long as certifies, and neighbours differ by a factor of two at most.
 //!
 //! A piece whose tip and tool axis move by less than half a unit of the words and that does not certify is a rotation
 //! on the spot: of the rotary axis whose angle is free at the pole. Its rotary values are stepped from one end to the
@@ -75,7 +76,8 @@ pub(crate) enum RotationLaw {
     Even,
     /// As the tool axis rotates evenly in the plane of its ends.
     GreatCircle,
-    /// The same, in step with the tip: the tool axis keeps to its tolerance from the programmed one where the tip is.
+    /// On the great circle in step with the tip: the tool axis keeps to its tolerance from the programmed one where the
+    /// tip is.
     InStep,
 }
 
@@ -94,8 +96,8 @@ pub(crate) struct CertifiedPiece {
 pub(crate) struct WholeMotion {
     /// As in [`MotionBound`].
     pub(crate) tip_rate: f64,
-    /// Largest deviation from the motion of the CL data, rounding of the words included; `None` where it is below the largest
-    /// so far.
+    /// Largest deviation from the motion of the CL data, rounding of the words included; `None` where it is below the
+    /// largest so far.
     pub(crate) bound: Option<MotionBound>,
 }
 
@@ -355,8 +357,8 @@ impl Placer {
         self.poles.axes.iter().any(|pole| pose.axis.cross(pole).norm() < UNEVEN_NEAR_POLE)
     }
 
-    /// Whether the rotary axes go evenly in a whole motion between two poses on one branch: between their words, hence inside
-    /// their limits.
+    /// Whether the rotary axes go evenly in a whole motion between two poses on one branch: between their words, hence
+    /// inside their limits.
     pub(crate) fn goes_evenly(&self, (a, start): (&Pose, &RotaryWords), (b, end): (&Pose, &RotaryWords)) -> bool {
         let bound = || self.machine.motion(&self.axes_of(start), &self.axes_of(end)).axis;
         self.may_go_evenly((a, &self.all_words(start)), (b, &self.all_words(end)))
@@ -421,7 +423,8 @@ impl Certifier<'_> {
         }
     }
 
-    /// Whether the tool axis rotates by so little that its great circle is sure, and no axis of the control by half a revolution.
+    /// Whether the tool axis rotates by so little that its great circle is sure, and no axis of the control by half a
+    /// revolution.
     #[inline(always)]
     fn is_narrow(&self, from: &AxisPosition, to: &AxisPosition) -> bool {
         from.pose.axis.dot(&to.pose.axis) > WIDEST_BLOCK && !self.placer.rolls_over(from, to)
@@ -613,8 +616,8 @@ impl Certifier<'_> {
         }
     }
 
-    /// Whether a piece of this length may begin at a parameter, and the pieces after it need not be shorter by more than a
-    /// factor of two from one to the next.
+    /// Whether a piece of this length may begin at a parameter, and the pieces after it need not be shorter by more
+    /// than a factor of two from one to the next.
     fn grades(
         &self,
         path: &CuttingPath,

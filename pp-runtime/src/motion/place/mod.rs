@@ -107,7 +107,8 @@ pub(crate) struct Placer {
     vectors: bool,
     /// Largest angle between a pole and a path that is led through it; `None` if none is.
     largest_bend_rad: Option<f64>,
-    /// Tolerance of the tool axis within which the rotary axes go evenly in a whole motion, rad; `None` if they never do.
+    /// Tolerance of the tool axis within which the rotary axes go evenly in a whole motion, rad; `None` if they never
+    /// do.
     even_rad: Option<f64>,
 }
 
@@ -116,8 +117,8 @@ fn too_large(letter: char) -> Fault {
         .help("`linear_whole` and `rotary_whole` in [formats] are the digits before the decimal point")
 }
 
-/// Exclusive bounds of the words in whole units. A word that stays within one revolution may be one of an axis that has rotated
-/// further.
+/// Exclusive bounds of the words in whole units. A word that stays within one revolution may be one of an axis that has
+/// rotated further.
 fn bounds(axes: &[Axis], policy: Policy<'_>, units: Units) -> AxisUnits {
     let formats = &policy.formats;
     let bound = |whole: u32, decimals: u32| 10_i64.saturating_pow(whole + decimals);
@@ -248,8 +249,8 @@ impl Placer {
         self.travel.check(&place.axes)
     }
 
-    /// Tries motions that are not in the program yet. Returns whether they are possible; no travel counts as needed for those
-    /// that are not.
+    /// Tries motions that are not in the program yet. Returns whether they are possible; no travel counts as needed for
+    /// those that are not.
     pub(crate) fn attempt(&mut self, motions: impl FnOnce(&mut Self) -> Result<bool, Fault>) -> bool {
         let needed = self.travel.needed();
         let possible = motions(self).unwrap_or(false);
@@ -264,7 +265,8 @@ impl Placer {
         self.travel.axes().iter().filter_map(|axis| axis.unchecked_reason().map(|why| (axis.letter(), why))).collect()
     }
 
-    /// Letter of the retract axis where its machine coordinates are unknown, so that the way of a retract is not compared.
+    /// Letter of the retract axis where its machine coordinates are unknown, so that the way of a retract is not
+    /// compared.
     pub(crate) fn blind_retract(&self) -> Option<char> {
         let axis = self.travel.axes().iter().find(|axis| axis.index == self.retract_axis())?;
         (!axis.has_machine_zero()).then(|| axis.letter())
@@ -295,8 +297,8 @@ impl Placer {
         self.travel.is_known()
     }
 
-    /// Reason why the words depend on the tool length; `None` if they do not. `axes`: the program has axis positions, in
-    /// stretches or on the way to tip control.
+    /// Reason why the words depend on the tool length; `None` if they do not. `axes`: the program has axis positions,
+    /// in stretches or on the way to tip control.
     pub(crate) fn needs_gauge_length(&self, axes: bool) -> Option<&'static str> {
         if self.head {
             axes.then_some("this machine rotates the tool about its head")
@@ -310,8 +312,8 @@ impl Placer {
         self.gauge_line
     }
 
-    /// Whether a retract along the retract axis, outside tip control and planes, is one along the tool axis at any rotary
-    /// angles.
+    /// Whether a retract along the retract axis, outside tip control and planes, is one along the tool axis at any
+    /// rotary angles.
     pub(crate) fn retracts_along_tool(&self) -> bool {
         self.linear.retracts_along_tool
     }
@@ -321,7 +323,7 @@ impl Placer {
         self.linear.keeps_path_length || self.frame.counts_tip()
     }
 
-    /// The same for a motion of linear axes that ends here.
+    /// Whether the path length of the words of a motion of linear axes that ends here equals that of the tip.
     pub(crate) fn keeps_path_length_at(&self, at: &AxisPosition) -> bool {
         self.keeps_path_length() || self.orthogonal_map(at).is_some()
     }
@@ -346,8 +348,8 @@ impl Placer {
         self.rotary.mask
     }
 
-    /// Rotary axes whose positions follow from the rounded angles of a plane, within a part of what a guard allows: bits.
-    /// `decimals`: those of the angles, degrees.
+    /// Rotary axes whose positions follow from the rounded angles of a plane, within a part of what a guard allows:
+    /// bits. `decimals`: those of the angles, degrees.
     pub(crate) fn directing_axes(&self, at: &AxisPosition, decimals: u32) -> u16 {
         // Three angles, each rounded by half a unit.
         let least_rate = LEAST_GUARDED_RATE.max(10_f64.powi(-decimals.cast_signed()) / (0.5 * GUARDED_ANGLE_DEG));
@@ -419,8 +421,8 @@ impl Placer {
         (length(self.linear.mask), length(self.rotary.mask).to_degrees())
     }
 
-    /// Largest speed of the tip in a block in which all axes move linearly, times the time of the block, mm: the certified
-    /// bounds of its parts, which are near the true speed.
+    /// Largest speed of the tip in a block in which all axes move linearly, times the time of the block, mm: the
+    /// certified bounds of its parts, which are near the true speed.
     #[cold]
     pub(crate) fn tip_rate_mm(&self, from: &AxisPosition, to: &AxisPosition) -> f64 {
         let at = |part: u32| -> AxisValues {
@@ -431,7 +433,8 @@ impl Placer {
         (0..RATE_PARTS).map(rate).fold(0.0, f64::max) * f64::from(RATE_PARTS)
     }
 
-    /// Whether the linear words of a position are coordinates of the tip, and those of another: the control moves no tip.
+    /// Whether the linear words of a position are coordinates of the tip, and those of another: the control moves no
+    /// tip.
     #[inline(always)]
     pub(crate) fn tip_rests(&self, from: &AxisPosition, to: &AxisPosition) -> bool {
         self.frame.counts_tip() && self.keeps_linear_words(from, to)
@@ -527,7 +530,7 @@ impl Placer {
         self.solve_linear_in_travel(place)
     }
 
-    /// The same as [`Placer::solve_linear`], and compares the travel.
+    /// [`Placer::solve_linear`] with the travel compared.
     #[inline(always)]
     fn solve_linear_in_travel(&mut self, place: &mut AxisPosition) -> Result<(), Fault> {
         self.solve_linear(place)?;
@@ -555,7 +558,7 @@ impl Placer {
         Ok(())
     }
 
-    /// The same where the words are coordinates of the tip in a frame.
+    /// Computes the words where they are coordinates of the tip in a frame.
     fn solve_in_frame(&self, place: &mut AxisPosition) -> Result<(), Fault> {
         self.frame.map(&*self.machine, &place.axes).map_or(Ok(()), |map| self.solve_tip(place, &map))
     }
@@ -593,8 +596,8 @@ impl Placer {
         units.iter().zip(axes).any(|(units, axis)| units.abs() >= self.bounds[axis])
     }
 
-    /// Shortest time of the linear axes, min, for a tip path at constant rotary angles; 0 if their speeds need not be kept. `along`:
-    /// largest speed of the tip along a direction or against it, times the time, mm.
+    /// Shortest time of the linear axes, min, for a tip path at constant rotary angles; 0 if their speeds need not be
+    /// kept. `along`: largest speed of the tip along a direction or against it, times the time, mm.
     pub(crate) fn least_minutes_of_tip(&self, at: &AxisPosition, along: impl Fn(Vector3<f64>) -> f64) -> f64 {
         if !self.speeds.timed {
             return 0.0;

@@ -32,8 +32,8 @@ impl RotariesAt {
     }
 }
 
-/// A motion that kept its rotary angles. One of its kind that begins like it, with the same tool axis, keeps them, too: nothing
-/// needs to be solved.
+/// A motion that kept its rotary angles. One of its kind that begins like it, with the same tool axis, keeps them, too:
+/// nothing needs to be solved.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stay {
     feed: bool,
@@ -176,8 +176,8 @@ impl Placer {
         self.poles.axes.iter().find(near).copied()
     }
 
-    /// Chooses the rotary angles of a pose, or keeps those at which the motion before has stayed with the same tool axis.
-    /// Sets all of the position `to` but for its linear axes.
+    /// Chooses the rotary angles of a pose, or keeps those at which the motion before has stayed with the same tool
+    /// axis. Sets all of the position `to` but for its linear axes.
     #[inline(always)]
     pub(super) fn set_rotaries_for(
         &mut self,
@@ -304,8 +304,8 @@ impl Placer {
         (to.deviation_rad, to.at_pole, to.rounding_mm) = (0.0, false, 0.0);
     }
 
-    /// The nearest of these solutions with indexed axes at their steps: a step may be inside the limits although the angle is
-    /// not. `None` without indexed axes, or if all are outside.
+    /// The nearest of these solutions with indexed axes at their steps: a step may be inside the limits although the
+    /// angle is not. `None` without indexed axes, or if all are outside.
     #[cold]
     fn choose_steps(
         &self,
@@ -468,7 +468,8 @@ mod tests {
     const AXES: [[f64; 3]; 5] =
         [[0.0, 0.0, 1.0], [1e-6, 0.0, 1.0], [0.0, 2e-5, 1.0], [0.5, 0.0, 1.0], [-0.3, 0.4, 1.0]];
 
-    /// Places of motions: tip, number of the tool axis, whether at feed. `keeps`: angles are kept from motion to motion.
+    /// Places of motions: tip, number of the tool axis, whether at feed. `keeps`: angles are kept from motion to
+    /// motion.
     fn places<M: Machine>(
         limits: Option<f64>,
         motions: &[([f64; 3], usize, bool)],

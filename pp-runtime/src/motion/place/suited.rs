@@ -69,8 +69,8 @@ impl UsableModes {
     }
 }
 
-/// Reasons why a machine, its control and a configuration do not suit the configured mode, one sentence each. Mode `auto`
-/// suits all of them, and so does a mode for some operations: what a stretch needs is known with the CL data.
+/// Reasons why a machine, its control and a configuration do not suit the configured mode, one sentence each. Mode
+/// `auto` suits all of them, and so does a mode for some operations: what a stretch needs is known with the CL data.
 #[must_use]
 pub fn unsuited(
     machine: &dyn AnyMachine,
@@ -130,8 +130,8 @@ impl ReasonSearch<'_> {
         self.list
     }
 
-    /// What tip control and planes both need. `kinematics_of_its_own`: the control has kinematics of this machine, not those of
-    /// a kind of machine.
+    /// What tip control and planes both need. `kinematics_of_its_own`: the control has kinematics of this machine, not
+    /// those of a kind of machine.
     fn machine(&mut self, kinematics_of_its_own: bool) {
         if self.policy.set_up.length_mode == LengthMode::Gauge {
             self.absent("the control needs an active tool length offset", "leave `length_mode` at \"tip\"");

@@ -102,7 +102,8 @@ pub struct PlaneAbility {
     pub pose: PoseRule,
     /// The plane is cancelled after the machine retract; otherwise before it.
     pub ends_after_retract: bool,
-    /// The length offset is called before it, so that it cannot come before tip control that begins with the length offset.
+    /// The length offset is called before it, so that it cannot come before tip control that begins with the length
+    /// offset.
     pub length_first: bool,
 }
 

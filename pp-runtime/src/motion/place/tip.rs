@@ -37,8 +37,8 @@ impl Placer {
     }
 
     /// Positions of X Y Z in the chain, and the derivative of their words with respect to the tip at the rotary angles
-    /// of `at`: one row for each word, one column for each direction of the workpiece frame. `None` if it is not orthogonal; if
-    /// it is, the words keep angles and lengths of the tip path.
+    /// of `at`: one row for each word, one column for each direction of the workpiece frame. `None` if it is not
+    /// orthogonal; if it is, the words keep angles and lengths of the tip path.
     pub(crate) fn orthogonal_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
         let letters = self.linear.xyz?;
         if !self.frame.counts_tip()
@@ -64,7 +64,7 @@ impl Placer {
         self.known_map(at).map(|(solved, known)| (solved, known.map))
     }
 
-    /// The same with what is known about the derivative.
+    /// [`axis_map`](Self::axis_map) with what is known about the derivative.
     #[inline(always)]
     fn known_map(&self, at: &AxisPosition) -> Option<([usize; 3], Ref<'_, AxisMap>)> {
         let solved = *self.linear.solved.first_chunk()?;
@@ -90,9 +90,9 @@ impl Placer {
         Some(())
     }
 
-    /// Whether a path of the tip at the rotary angles of `at` certainly keeps the linear axes within the travel that they have
-    /// needed so far, and their words within their digits. `reach_mm`: no point of the path is further from `at`; `bounds`: two
-    /// values between which `direction · p` is at every point `p` of the path.
+    /// Whether a path of the tip at the rotary angles of `at` certainly keeps the linear axes within the travel that
+    /// they have needed so far, and their words within their digits. `reach_mm`: no point of the path is further from
+    /// `at`; `bounds`: two values between which `direction · p` is at every point `p` of the path.
     ///
     /// An axis value is the product of a row of [`axis_map`](Self::axis_map) and `p`, and a constant.
     pub(crate) fn needs_no_travel(
@@ -124,8 +124,8 @@ impl Placer {
         self.needs_none_between(solved, [0, 1, 2].map(along))
     }
 
-    /// The same of linear axes between two values each. Rounding to words changes no order, so what holds for both holds for all
-    /// values between them.
+    /// Whether linear axes between two values each need no further travel. Rounding to words changes no order, so what
+    /// holds for both holds for all values between them.
     fn needs_none_between(&self, solved: [usize; 3], ranges: [[f64; 2]; 3]) -> bool {
         let fits = |(index, [low, high]): (usize, [f64; 2])| {
             let furthest = (0.5 * (low + high) + self.datum.linear_shift_mm(index)).abs() + 0.5 * (high - low);
@@ -200,8 +200,8 @@ impl Placer {
         Ok(place)
     }
 
-    /// The tool axis that a plane at a position has; refused where indexed axes cannot take it: the control would rotate them
-    /// off their steps.
+    /// The tool axis that a plane at a position has; refused where indexed axes cannot take it: the control would
+    /// rotate them off their steps.
     pub(crate) fn axis_of_plane(&self, place: &AxisPosition) -> Result<UnitVector3<f64>, Fault> {
         let axis = place.pose.axis;
         if !self.has_indexed_axes() {
@@ -315,7 +315,8 @@ mod tests {
         placer
     }
 
-    /// Whether the arcs need no travel, after the points of those before; where one does not, no point of it changes the travel.
+    /// Whether the arcs need no travel, after the points of those before; where one does not, no point of it changes
+    /// the travel.
     fn certified<M: Machine>(arcs: &[Arc], travel_mm: f64, zero: bool) -> Result<usize, TestCaseError> {
         let mut placer = placer::<M>(travel_mm, zero);
         let mut certified = 0;

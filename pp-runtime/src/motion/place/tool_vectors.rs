@@ -2,8 +2,8 @@
 //!
 //! The control continues from the angles where its axes are, on the same branch and in the same turn. Only at the pole
 //! is it free, and takes the nearest angle. Where an axis has limits, a feed motion that passes a pole within
-//! [`CONTROL_CHOOSES_NEAR_POLE`] is led through it: past the pole the first axis would rotate by nearly 180° within a part
-//! of a block, or the axes would take the other branch, as the interpolation of the control has it.
+//! [`CONTROL_CHOOSES_NEAR_POLE`] is led through it: past the pole the first axis would rotate by nearly 180° within a
+//! part of a block, or the axes would take the other branch, as the interpolation of the control has it.
 
 use nalgebra::{UnitVector3, Vector3};
 
@@ -39,8 +39,8 @@ impl Placer {
         self.largest_bend_rad
     }
 
-    /// Fraction of the path between two tool axes at which it is nearest to a pole, this pole, and the angle between them,
-    /// rad, if the path passes the pole: the directions from the pole to its ends are more than 120° apart.
+    /// Fraction of the path between two tool axes at which it is nearest to a pole, this pole, and the angle between
+    /// them, rad, if the path passes the pole: the directions from the pole to its ends are more than 120° apart.
     pub(crate) fn passing(
         &self,
         from: &UnitVector3<f64>,
@@ -61,8 +61,8 @@ impl Placer {
         })
     }
 
-    /// Refuses a motion that passes a pole closely and could not be led through it, where an axis has limits: the angles
-    /// that the control finds after it are unknown.
+    /// Refuses a motion that passes a pole closely and could not be led through it, where an axis has limits: the
+    /// angles that the control finds after it are unknown.
     #[inline(always)]
     pub(crate) fn check_passed_pole(&self, from: &AxisPosition, to: &AxisPosition) -> Result<(), Fault> {
         if self.largest_bend_rad.is_none() || !self.writes_vectors() || from.at_pole || to.at_pole {
@@ -84,9 +84,9 @@ impl Placer {
         .help("set `tcp_words = \"angles\"`, or a larger `axis_tolerance_path`, so that the motion can lead through the pole"))
     }
 
-    /// Tool axis of a point at which a motion is divided, and its angle from that of the path, rad: that of the rotary words,
-    /// or the pole to which they lead. A limit holds for the words; the axis of the path may be beyond it by their rounding.
-    /// `None` where the axis of the path is right.
+    /// Tool axis of a point at which a motion is divided, and its angle from that of the path, rad: that of the rotary
+    /// words, or the pole to which they lead. A limit holds for the words; the axis of the path may be beyond it by
+    /// their rounding. `None` where the axis of the path is right.
     pub(crate) fn axis_where_divided(&self, pose: &Pose, words: &RotaryWords) -> Option<(UnitVector3<f64>, f64)> {
         let largest = self.largest_bend_rad.filter(|_| self.writes_vectors() && self.pole(&pose.axis).is_none())?;
         let reached = self.axis_at(words);
@@ -99,9 +99,9 @@ impl Placer {
         Some((axis, off(&axis)))
     }
 
-    /// Whether a block with tool vectors rotates rotary axes by more than `angle_rad` although its vector does not change, so that
-    /// the block cannot program the rotation: about the tool axis, or by whole revolutions. At the pole a control that
-    /// moves the tool axis in the plane of its ends needs no such rotation.
+    /// Whether a block with tool vectors rotates rotary axes by more than `angle_rad` although its vector does not
+    /// change, so that the block cannot program the rotation: about the tool axis, or by whole revolutions. At the pole
+    /// a control that moves the tool axis in the plane of its ends needs no such rotation.
     fn rotation_is_unprogrammable(&self, from: &AxisPosition, to: &AxisPosition, angle_rad: f64) -> bool {
         let all = self.linear.mask | self.rotary.mask;
         !(to.at_pole && self.frame.rotates_axis_in_plane())
@@ -109,8 +109,8 @@ impl Placer {
             && self.words(from, all).vector == self.words(to, all).vector
     }
 
-    /// Refuses a rotation by more than `angle_rad` that a block with tool vectors cannot express: the control would continue
-    /// with the rotary axes at other angles.
+    /// Refuses a rotation by more than `angle_rad` that a block with tool vectors cannot express: the control would
+    /// continue with the rotary axes at other angles.
     #[inline(always)]
     pub(crate) fn check_hidden_rotation(
         &self,

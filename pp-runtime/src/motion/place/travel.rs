@@ -115,8 +115,8 @@ impl TravelCheck {
         Ok(())
     }
 
-    /// Whether [`check`](Self::check) of this point would refuse it, or note something. Where it does neither at two points,
-    /// it does neither at any whose values are between theirs.
+    /// Whether [`check`](Self::check) of this point would refuse it, or note something. Where it does neither at two
+    /// points, it does neither at any whose values are between theirs.
     pub(crate) fn is_changed_by(&self, values: &[f64]) -> bool {
         self.axes.iter().filter(|axis| axis.limited()).any(|axis| {
             let mut after = *axis;

@@ -29,8 +29,8 @@ pub struct Abilities {
     pub feed_per_inch: f64,
     /// Drilling and tapping cycles.
     pub cycles: CycleAbilities,
-    /// Distance above the last depth to which a peck returns at rapid, and retract that breaks the chip, where they are set in
-    /// the control and known, mm.
+    /// Distance above the last depth to which a peck returns at rapid, and retract that breaks the chip, where they are
+    /// set in the control and known, mm.
     pub cycle_gaps_mm: [Option<f64>; 2],
     /// Radius that cutter compensation takes.
     pub cutter_radius: CutterRadius,

@@ -1,10 +1,10 @@
 //! Arcs, written as arcs of the control where possible, else as chords.
 //!
-//! While the rotary axes rest, the map from workpiece to program coordinates is affine. An arc is written as an arc if the
-//! linear part of that map is orthogonal, if the axis of the circle is an axis of the program, and if the arc that the
-//! control traces from the rounded words stays within tolerance of the arc of the CL data: see `motion/geometry/circle`.
-//! More than a full circle is split into full circles and the rest; where these do not stay within tolerance, into equal
-//! arcs of at most half a circle.
+//! While the rotary axes rest, the map from workpiece to program coordinates is affine. An arc is written as an arc if
+//! the linear part of that map is orthogonal, if the axis of the circle is an axis of the program, and if the arc that
+//! the control traces from the rounded words stays within tolerance of the arc of the CL data: see
+//! `motion/geometry/circle`. More than a full circle is split into full circles and the rest; where these do not stay
+//! within tolerance, into equal arcs of at most half a circle.
 
 use std::f64::consts::{PI, TAU};
 
@@ -175,8 +175,8 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         Ok(written)
     }
 
-    /// Refuses the long way round a circle that no machine holds: nearly always the sense of a flat arc is wrong. Where the travel is
-    /// known, that decides.
+    /// Refuses the long way round a circle that no machine holds: nearly always the sense of a flat arc is wrong. Where
+    /// the travel is known, that decides.
     fn check_meant(&self) -> Result<(), Fault> {
         let radius = self.round.radius();
         if self.arc.angle_rad <= PI || radius <= LARGEST_LONG_WAY || self.planner.mover.placer().travel_is_known() {
@@ -277,8 +277,8 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         self.planner.arc_end.filter(|(words, _)| *words == here).map_or([0.0; 2], |(_, drift)| drift)
     }
 
-    /// A piece, `share` of the arc, if it stays within tolerance. `drift`: distance of its start from the start of its words,
-    /// in units.
+    /// A piece, `share` of the arc, if it stays within tolerance. `drift`: distance of its start from the start of its
+    /// words, in units.
     fn piece(
         &self,
         in_program: &ArcInProgram,
@@ -305,8 +305,8 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         self.planner.mover.shifted(self.round.tip(part), &here)
     }
 
-    /// The words of one piece, `share` of the arc, if they stay within tolerance. `drift`: distance of its start from the
-    /// start of its words, in units.
+    /// The words of one piece, `share` of the arc, if they stay within tolerance. `drift`: distance of its start from
+    /// the start of its words, in units.
     fn circle(
         &self,
         in_program: &ArcInProgram,
@@ -324,8 +324,8 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             WordGrid { units_per_mm: 1.0 / unit, radius_tolerance_mm: self.planner.abilities.arc_radius_tolerance_mm };
         let nominal = NominalCircle { sweep_rad: nominal.sweep_rad * share, ..nominal };
         let fit = nominal.fit(start, end, grid)?;
-        // The height is proportional to the angle. Seen from the nominal centre, a point leads by the displacement of the
-        // centre, by as much again because the ends do not lead, and by their rounding; heights are rounded, too.
+        // The height is proportional to the angle. Seen from the nominal centre, a point leads by the displacement of
+        // the centre, by as much again because the ends do not lead, and by their rounding; heights are rounded, too.
         let height = |deviation: CircleDeviation| {
             lean_mm + 0.5 * unit + self.round.slope().abs() * (2.0 * deviation.centre_mm + ROUNDED_END * unit)
         };
@@ -397,8 +397,8 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         Ok(())
     }
 
-    /// Writes a piece, `share` of the arc, at `rate` mm/min with the words of the axes in `mask`. `drift`: distance of its start
-    /// from the start of its words, in units.
+    /// Writes a piece, `share` of the arc, at `rate` mm/min with the words of the axes in `mask`. `drift`: distance of
+    /// its start from the start of its words, in units.
     fn write_piece(
         &mut self,
         circle: &Circle,

@@ -1,8 +1,8 @@
-//! Clamps of rotary axes: off before an axis moves, on where it does not move until the tool leaves the part again, and not
-//! switched between simultaneous blocks.
+//! Clamps of rotary axes: off before an axis moves, on where it does not move until the tool leaves the part again, and
+//! not switched between simultaneous blocks.
 //!
-//! At the end of an approach, only the following blocks show whether an axis will move. A rehearsal therefore plans the whole
-//! program once without writing, and notes the axes that the planner moves, one mask for each approach.
+//! At the end of an approach, only the following blocks show whether an axis will move. A rehearsal therefore plans the
+//! whole program once without writing, and notes the axes that the planner moves, one mask for each approach.
 
 use std::io;
 
@@ -59,8 +59,8 @@ impl Clamps {
         }
     }
 
-    /// Notes the axes that a block of an operation moves. `rotates`: the control chooses the rotary angles, and the tool axis
-    /// changes, so that any rotary axis may move.
+    /// Notes the axes that a block of an operation moves. `rotates`: the control chooses the rotary angles, and the
+    /// tool axis changes, so that any rotary axis may move.
     #[inline(always)]
     pub(crate) fn note(&mut self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], rotates: bool) {
         if let Some(seen) = self.seen.0.last_mut() {

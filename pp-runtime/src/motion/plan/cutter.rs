@@ -1,14 +1,15 @@
 //! Cutter compensation by the control (CUTCOM: G41, G42, G40).
 //!
 //! The control offsets the path to the left or right by the value of register D, in the plane perpendicular to Z of the
-//! program (G17). The rotary axes rest, and the tool axis is that Z. Compensation begins with the first straight feed motion
-//! in this plane after CUTCOM/LEFT or RIGHT, and ends with the first one after CUTCOM/OFF. Between the two only such lines
-//! are allowed, and arcs that are written as arcs: a control looks ahead over these blocks, so everything else is refused.
+//! program (G17). The rotary axes rest, and the tool axis is that Z. Compensation begins with the first straight feed
+//! motion in this plane after CUTCOM/LEFT or RIGHT, and ends with the first one after CUTCOM/OFF. Between the two only
+//! such lines are allowed, and arcs that are written as arcs: a control looks ahead over these blocks, so everything
+//! else is refused.
 //!
-//! In mirrored coordinates left and right are exchanged. The configuration states the value of D: the wear where the CL data
-//! is the path of the tool centre, the radius where it is the contour. A control without such registers takes the radius of
-//! the tool itself: where the path is that of the centre the tool call takes it off, or a guard stops the program unless it is
-//! wear only.
+//! In mirrored coordinates left and right are exchanged. The configuration states the value of D: the wear where the CL
+//! data is the path of the tool centre, the radius where it is the contour. A control without such registers takes the
+//! radius of the tool itself: where the path is that of the centre the tool call takes it off, or a guard stops the
+//! program unless it is wear only.
 //!
 //! The contour of the program is offset here as well, by the radius, or by the largest wear to both sides: `offset` refuses what
 //! the tool does not fit into, whatever the control would do there.

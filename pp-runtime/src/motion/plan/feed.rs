@@ -1,14 +1,15 @@
 //! F words, and the time of each block.
 //!
-//! While no rotary axis moves, F is in mm/min (or inch/min). Where one moves, F is inverse time, or counts along the path
-//! that the control measures: see [`PathNorm`].
+//! While no rotary axis moves, F is in mm/min (or inch/min). Where one moves, F is inverse time, or counts along the
+//! path that the control measures: see [`PathNorm`].
 //!
-//! The tip keeps the programmed feed: the time of a block is the length of its tip path over the feed. Where the axes lead
-//! the tip along a curve within the tolerance, or unevenly, as near a pole, the block takes so long that the tip is nowhere
-//! faster than programmed by more than a hundredth ([`FASTER`]). A block takes longer only where an axis would exceed its
-//! largest speed, where F would exceed `feed.largest` or `feed.largest_inverse_time`, where F of a rotation would have more
-//! digits than its word, or where the block would be shorter than `feed.shortest_block`; and then by no more than necessary.
-//! For `shortest_block` no F is below the smallest that its word can hold: such a block is as long as that F makes it.
+//! The tip keeps the programmed feed: the time of a block is the length of its tip path over the feed. Where the axes
+//! lead the tip along a curve within the tolerance, or unevenly, as near a pole, the block takes so long that the tip
+//! is nowhere faster than programmed by more than a hundredth ([`FASTER`]). A block takes longer only where an axis
+//! would exceed its largest speed, where F would exceed `feed.largest` or `feed.largest_inverse_time`, where F of a
+//! rotation would have more digits than its word, or where the block would be shorter than `feed.shortest_block`; and
+//! then by no more than necessary. For `shortest_block` no F is below the smallest that its word can hold: such a block
+//! is as long as that F makes it.
 
 use crate::kinematics::math::{self, larger};
 use crate::motion::options::Policy;
@@ -66,7 +67,8 @@ pub(crate) struct FeedMotion {
     pub(crate) linear_mm: f64,
     /// Length of the path of the rotary axes.
     pub(crate) rotary_degrees: f64,
-    /// The linear axes are orthogonal: while no rotary axis moves, the path of the control is as long as that of the tip.
+    /// The linear axes are orthogonal: while no rotary axis moves, the path of the control is as long as that of the
+    /// tip.
     pub(crate) orthogonal: bool,
     /// Time that the axes take at their largest speeds; 0 where these are unknown.
     pub(crate) axis_time_min: f64,
@@ -150,7 +152,8 @@ impl Feeds {
         self.units
     }
 
-    /// An F per minute that differs from a feed by at most this share of it needs so many decimals; `None` if no format has as many.
+    /// An F per minute that differs from a feed by at most this share of it needs so many decimals; `None` if no format
+    /// has as many.
     pub(crate) fn decimals_within(&self, feed: f64, share: f64) -> Option<u32> {
         let value = feed / self.unit_mm * self.feed_per_unit;
         decimals_within(value, share)
@@ -229,8 +232,8 @@ impl Feeds {
         Ok(Pace { feed, time_min, slowed_min: time_min - programmed_min })
     }
 
-    /// F of this value per minute. A block that is slowed down from the second of two times to the first, for `shortest_block`
-    /// alone, has the smallest F at least.
+    /// F of this value per minute. A block that is slowed down from the second of two times to the first, for
+    /// `shortest_block` alone, has the smallest F at least.
     fn per_minute_word(&self, feed: f64, value: f64, (time_min, needed_min): (f64, f64)) -> Result<Decimal, Fault> {
         let word = Decimal::fixed(value, self.feed_decimals).map_err(|_| too_large(feed, self.units))?;
         let smallest = Decimal { units: 1, ..word };

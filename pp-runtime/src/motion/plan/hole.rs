@@ -1,10 +1,10 @@
 //! Holes, written as a cycle of the control where it moves the tool in the same way, else as single motions.
 //!
-//! In both forms the tool moves over the hole at its present level or at the clearance level, whichever is higher, comes
-//! down along its axis, and ends at the return level of the CL data. A cycle is used where its line along Z of the program
-//! stays within the tolerance of the axis of the hole and the control has a cycle with just these steps. A hole that differs
-//! from all cycles (a first step unlike the others, a programmed retract between steps, several plates) is written as motions. A thread
-//! never is: only a cycle synchronises spindle and feed.
+//! In both forms the tool moves over the hole at its present level or at the clearance level, whichever is higher,
+//! comes down along its axis, and ends at the return level of the CL data. A cycle is used where its line along Z of
+//! the program stays within the tolerance of the axis of the hole and the control has a cycle with just these steps. A
+//! hole that differs from all cycles (a first step unlike the others, a programmed retract between steps, several
+//! plates) is written as motions. A thread never is: only a cycle synchronises spindle and feed.
 
 use crate::kinematics::{Pose, math};
 use crate::motion::options::{CycleOutput, StretchMode, ThreadFeed};
@@ -206,8 +206,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         hole.return_mm.max(hole.clearance_mm + self.planner.policy.options.approach.distance_mm)
     }
 
-    /// Rotates the rotary axes for the hole, or leads the tool round the clearance geometry; one below the clearance level is
-    /// lifted to it.
+    /// Rotates the rotary axes for the hole, or leads the tool round the clearance geometry; one below the clearance
+    /// level is lifted to it.
     fn reach(&mut self, ahead: MotionAndNext<'_>, index: MotionIndex) -> Planned {
         let over = ahead.motion;
         self.planner.stop_spindle()?;
@@ -345,8 +345,8 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         Ok(mover.placer().written(place)[z])
     }
 
-    /// Moves a place to the end of the cycle, which keeps the X and Y of its position `over` the hole: it returns along Z of the
-    /// program, as far as the words of the return level lead. `along`: direction of Z.
+    /// Moves a place to the end of the cycle, which keeps the X and Y of its position `over` the hole: it returns along
+    /// Z of the program, as far as the words of the return level lead. `along`: direction of Z.
     fn shift_to_end(
         &mut self,
         place: &mut AxisPosition,

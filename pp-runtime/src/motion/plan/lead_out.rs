@@ -1,13 +1,13 @@
-//! Lead-out of the CL data: the length by which the last motions before a retract already withdrew the tool along the tool
-//! axis. A retract of that length need not be added.
+//! Lead-out of the CL data: the length by which the last motions before a retract already withdrew the tool along the
+//! tool axis. A retract of that length need not be added.
 
 use nalgebra::Point3;
 
 use crate::kinematics::Pose;
 use crate::motion::tolerances::{ALONG_TOOL_AXIS, NO_DIRECTION, SAME_POINT};
 
-/// Square of a length in that of its part along the axis, above which the rest is neither along the axis nor too short for a
-/// direction.
+/// Square of a length in that of its part along the axis, above which the rest is neither along the axis nor too short
+/// for a direction.
 const FAR_FROM_AXIS: f64 = 1.1;
 
 /// Running length of the last motions along the positive tool axis.

@@ -1,8 +1,9 @@
 //! The planner: items of the program become the steps of one machine.
 //!
-//! Decides, motion by motion and record by record, what the machine does; [`Mover`] writes the motions. Each part of the
-//! state has one owner: position (in the mover), tooling, spindle, coolant, clearance geometry, course, cutter compensation,
-//! and the selection of operations. A fault gets the location of its item in [`Planner::take`] and nowhere else.
+//! Decides, motion by motion and record by record, what the machine does; [`Mover`] writes the motions. Each part of
+//! the state has one owner: position (in the mover), tooling, spindle, coolant, clearance geometry, course, cutter
+//! compensation, and the selection of operations. A fault gets the location of its item in [`Planner::take`] and
+//! nowhere else.
 
 mod abilities;
 mod arcs;
@@ -115,8 +116,8 @@ impl<'m> MotionAndNext<'m> {
 }
 
 impl<'a, S: Sink> Planner<'a, S> {
-    /// Begins a program in `units` that is written to `sink`. `upside_down`: every tool axis of the CL data points into the
-    /// table.
+    /// Begins a program in `units` that is written to `sink`. `upside_down`: every tool axis of the CL data points into
+    /// the table.
     pub fn new(
         machine: Box<dyn AnyMachine>,
         policy: Policy<'a>,
@@ -242,15 +243,15 @@ impl<'a, S: Sink> Planner<'a, S> {
         self.cutter.unknown_radii()
     }
 
-    /// Letter of the retract axis where its machine coordinates are unknown: whether a retract leads away from the part is not
-    /// compared.
+    /// Letter of the retract axis where its machine coordinates are unknown: whether a retract leads away from the part
+    /// is not compared.
     #[must_use]
     pub fn blind_retract(&self) -> Option<char> {
         self.mover.placer().blind_retract().filter(|_| !self.abilities.retracts_along_tool)
     }
 
-    /// Angles of the rotary axes as the control displays them, degrees. An axis whose angle is unknown is left out: one that
-    /// the program has not positioned since its beginning or a stop.
+    /// Angles of the rotary axes as the control displays them, degrees. An axis whose angle is unknown is left out: one
+    /// that the program has not positioned since its beginning or a stop.
     #[must_use]
     pub fn rotary_angles(&self) -> Vec<(char, f64)> {
         let (placer, position) = (self.mover.placer(), self.mover.position());
@@ -372,8 +373,8 @@ impl<'a, S: Sink> Planner<'a, S> {
         Ok(())
     }
 
-    /// Whether points of a path are compared with a floor: nothing else that [`check_state`](Self::check_state) checks depends on
-    /// them.
+    /// Whether points of a path are compared with a floor: nothing else that [`check_state`](Self::check_state) checks
+    /// depends on them.
     #[inline]
     fn has_floor(&self) -> bool {
         self.policy.options.guards.floor_mm.is_some()
@@ -438,8 +439,8 @@ impl<'a, S: Sink> Planner<'a, S> {
         Ok(())
     }
 
-    /// The stretch of a motion inside an operation. Where another mode begins with a cut, the safe sequence leads back to
-    /// its start; a rapid leads to its own end.
+    /// The stretch of a motion inside an operation. Where another mode begins with a cut, the safe sequence leads back
+    /// to its start; a rapid leads to its own end.
     fn reach_stretch(&mut self, motion: &Move, index: MotionIndex) -> Planned {
         self.modes.reach(index.stretch);
         if self.modes.changes() && !motion.rapid { self.change_mode(motion) } else { Ok(()) }

@@ -37,12 +37,12 @@ pub(crate) enum SequencePlace {
 pub(crate) enum SequenceStep {
     /// Out along the tool axis, if the tool is at the part.
     LeadOut,
-    /// The same where the retract axis would not lead out along the tool axis.
+    /// Out along the tool axis where the retract axis would not lead out along it.
     LeadOutIfTilted,
     CoolantOff,
     Retract,
     SpindleOff,
-    /// The same where it may be on, or the axes go to where the tool is changed.
+    /// The spindle off where it may be on, or the axes go to where the tool is changed.
     SpindleOffForChange,
     /// The spindle off if the CL data asks for it.
     SpindleAsAsked,

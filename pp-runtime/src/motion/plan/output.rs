@@ -169,8 +169,8 @@ impl<S: Sink> Output<S> {
             );
             *any |= is_block;
         }
-        // The next restart point needs the work offset, and its cuts their smoothing, even where the steps around it are not
-        // written.
+        // The next restart point needs the work offset, and its cuts their smoothing, even where the steps around it
+        // are not written.
         if self.shown
             || matches!(step, Step::WorkOffset { .. } | Step::Smoothing { .. } | Step::BlockSkip { on: false })
         {
@@ -297,7 +297,8 @@ impl<S: Sink> Output<S> {
         std::mem::take(&mut self.warnings)
     }
 
-    /// Drops remarks, statistics, threads and times of the steps that were not written, except those of the operation that begins.
+    /// Drops remarks, statistics, threads and times of the steps that were not written, except those of the operation
+    /// that begins.
     pub(crate) fn forget_hidden(&mut self) {
         self.warnings.clear();
         self.statistics = Statistics::default();

@@ -24,7 +24,7 @@ pub(crate) struct Position {
     worked: bool,
     /// The stop of the configuration is the last that has been written.
     stopped: bool,
-    /// The same before the blocks that may be skipped.
+    /// `worked` before the blocks that may be skipped.
     worked_before_skip: bool,
     /// Blocks before may have been skipped, and no complete state has come since.
     after_skip: bool,
@@ -192,7 +192,8 @@ impl Position {
         self.stopped = false;
     }
 
-    /// Forgets the position at a stop: what has moved needs no further one. `configured`: the configuration asks for it.
+    /// Forgets the position at a stop: what has moved needs no further one. `configured`: the configuration asks for
+    /// it.
     pub(crate) fn stop(&mut self, configured: bool) {
         self.forget();
         self.worked = false;

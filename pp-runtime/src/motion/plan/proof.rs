@@ -1,8 +1,8 @@
-//! Proof program: shows the kinematics at the machine. The tip stays on one point of the part while the rotary axes sweep
-//! their travel, one after the other.
+//! Proof program: shows the kinematics at the machine. The tip stays on one point of the part while the rotary axes
+//! sweep their travel, one after the other.
 //!
-//! Uses no CL data: rotary words run from end to end, and the linear axes follow as in every feed motion, certified within
-//! `tolerance`. An error in chain, signs, pivots or lengths moves the tip.
+//! Uses no CL data: rotary words run from end to end, and the linear axes follow as in every feed motion, certified
+//! within `tolerance`. An error in chain, signs, pivots or lengths moves the tip.
 
 use nalgebra::{Point3, UnitVector3};
 
@@ -45,8 +45,8 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         Self { planner }
     }
 
-    /// The sweeps of a machine: each rotary axis with the other at zero or as near to zero as its travel allows, and the
-    /// first once more with the second at the end of its travel.
+    /// The sweeps of a machine: each rotary axis with the other at zero or as near to zero as its travel allows, and
+    /// the first once more with the second at the end of its travel.
     ///
     /// # Errors
     /// [`PlanningError`] if an axis cannot be swept: its travel is unknown, or it is indexed.
@@ -174,8 +174,8 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         self.lead_out()
     }
 
-    /// Rotates to some words with the tip in place, an axis that rolls over by a quarter turn at a time: by the shorter way it
-    /// goes less than half a turn.
+    /// Rotates to some words with the tip in place, an axis that rolls over by a quarter turn at a time: by the shorter
+    /// way it goes less than half a turn.
     fn sweep_to(&mut self, words: &RotaryWords) -> Planned {
         let placer = self.planner.mover.placer();
         let (from, quarter) =

@@ -1,13 +1,13 @@
 //! Rapids inside an operation.
 //!
-//! A rapid that rotates the tool between cuts that rotate it as well is a *link*. The CAM system has verified its path, not
-//! that of axes each of which moves at its own speed. So it is written only where every block keeps tip and tool axis on
-//! their path, within the tolerance of cuts: as rapids whose axes arrive together, or at `rapid_feed`. Elsewhere the safe
-//! sequence leads to its end, and where the tool axis is held before or after the rapid: there the rotary axes are indexed,
-//! and clamped.
+//! A rapid that rotates the tool between cuts that rotate it as well is a *link*. The CAM system has verified its path,
+//! not that of axes each of which moves at its own speed. So it is written only where every block keeps tip and tool
+//! axis on their path, within the tolerance of cuts: as rapids whose axes arrive together, or at `rapid_feed`.
+//! Elsewhere the safe sequence leads to its end, and where the tool axis is held before or after the rapid: there the
+//! rotary axes are indexed, and clamped.
 //!
-//! Where each axis of a rapid moves at its own speed, the tip may leave its line. If it could get into the clearance geometry
-//! so, which its line does not enter, the safe sequence leads to its end as well.
+//! Where each axis of a rapid moves at its own speed, the tip may leave its line. If it could get into the clearance
+//! geometry so, which its line does not enter, the safe sequence leads to its end as well.
 
 use crate::kinematics::Pose;
 use crate::motion::fault::Planned;
@@ -63,8 +63,8 @@ impl<S: Sink> Planner<'_, S> {
         Ok(())
     }
 
-    /// Whether a rapid to a place, whose axes each move at their own speed, may lead the tip into the clearance geometry although
-    /// its line is outside and not along the tool axis.
+    /// Whether a rapid to a place, whose axes each move at their own speed, may lead the tip into the clearance
+    /// geometry although its line is outside and not along the tool axis.
     pub(crate) fn may_enter_clearance(&self, place: &AxisPosition) -> bool {
         let rapids = &self.policy.options.rapids;
         let as_in_cl_data = rapids.transition == Transition::Direct || rapids.rapid == Rapid::Feed;

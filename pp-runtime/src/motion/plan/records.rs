@@ -58,8 +58,8 @@ pub(crate) fn come_to_approach<S: Sink>(planner: &mut Planner<'_, S>) -> Planned
     Ok(())
 }
 
-/// Writes the name of the operation that begins, which has waited for its first motion. `leaves`: the one before ends with its
-/// retract, whose blocks come before the name.
+/// Writes the name of the operation that begins, which has waited for its first motion. `leaves`: the one before ends
+/// with its retract, whose blocks come before the name.
 pub(crate) fn come_to_name<S: Sink>(planner: &mut Planner<'_, S>, leaves: bool) -> Planned {
     let Some((at, name)) = planner.name_due.take() else { return Ok(()) };
     let now = planner.mover.output().location();
@@ -184,8 +184,8 @@ impl<S: Sink> Records<'_, '_, S> {
         self.raw(text)
     }
 
-    /// What clamps, opens or changes something between the call of a tool and its change: the CL data does not say with which
-    /// tool.
+    /// What clamps, opens or changes something between the call of a tool and its change: the CL data does not say with
+    /// which tool.
     fn check_place(&self, text: &[u8]) -> Result<(), Fault> {
         let Some(tool) = self.planner.tooling.next().filter(|_| self.planner.tooling.needs_change()) else {
             return Ok(());
@@ -258,8 +258,8 @@ impl<S: Sink> Records<'_, '_, S> {
         Ok(())
     }
 
-    /// The optional stop of the configuration after an operation, unless the CL data stops there, or nothing comes after it.
-    /// `other_tool`: another tool comes.
+    /// The optional stop of the configuration after an operation, unless the CL data stops there, or nothing comes
+    /// after it. `other_tool`: another tool comes.
     fn stop_after_operation(&mut self, other_tool: bool) -> Planned {
         let wanted = match self.planner.policy.options.optional_stops {
             OptionalStops::None => false,
@@ -285,7 +285,8 @@ impl<S: Sink> Records<'_, '_, S> {
         self.write_name(at, name)
     }
 
-    /// The tool leaves the part. The retract belongs to the operation before, so its blocks come before the name of the next one.
+    /// The tool leaves the part. The retract belongs to the operation before, so its blocks come before the name of the
+    /// next one.
     fn end_operation(&mut self) -> Planned {
         self.leave()?;
         if self.planner.retracts_before_restart() {
@@ -422,7 +423,8 @@ impl<S: Sink> Records<'_, '_, S> {
         Ok(())
     }
 
-    /// Blocks with which a probe measures from where the tool is; after them position and state of the machine are unknown.
+    /// Blocks with which a probe measures from where the tool is; after them position and state of the machine are
+    /// unknown.
     fn probe(&mut self, blocks: &[String]) -> Planned {
         let planner = &mut *self.planner;
         let fault = |text: &str, help: &str| Err(Fault::new(text).help(help).into());

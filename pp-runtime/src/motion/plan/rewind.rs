@@ -1,5 +1,5 @@
-//! Rewinding, where no course of the rotary axes stays within their limits: the tool leaves the part, the axes rotate, and it
-//! returns to the same pose; or the tip stays in place while they rotate.
+//! Rewinding, where no course of the rotary axes stays within their limits: the tool leaves the part, the axes rotate,
+//! and it returns to the same pose; or the tip stays in place while they rotate.
 
 use crate::motion::options::Rewind;
 use crate::program::Move;

@@ -1,7 +1,8 @@
-//! Selection of operations: the program is planned up to the last of them, and only the selected operations are written.
+//! Selection of operations: the program is planned up to the last of them, and only the selected operations are
+//! written.
 //!
-//! So the state at their beginning (branch and turns, tool, spindle, coolant, feed, frame) is that of the whole program, and
-//! the restart point of the first selected operation establishes it.
+//! So the state at their beginning (branch and turns, tool, spindle, coolant, feed, frame) is that of the whole
+//! program, and the restart point of the first selected operation establishes it.
 
 use std::ops::RangeInclusive;
 

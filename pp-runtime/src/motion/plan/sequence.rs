@@ -9,8 +9,8 @@
 //! 7. coolant on;
 //! 8. along the tool axis to the first point.
 //!
-//! "Out" and "in" are along the tool axis. At program start, after a tool change and after a stop the position of the machine
-//! is unknown.
+//! "Out" and "in" are along the tool axis. At program start, after a tool change and after a stop the position of the
+//! machine is unknown.
 
 use crate::kinematics::Pose;
 use crate::motion::options::Transition;
@@ -85,8 +85,8 @@ impl<S: Sink> Planner<'_, S> {
         }
     }
 
-    /// Begins an operation. Returns true if it is the first that is written and not the first of the program: the state of the
-    /// machine is unknown there.
+    /// Begins an operation. Returns true if it is the first that is written and not the first of the program: the state
+    /// of the machine is unknown there.
     fn begin_operation(&mut self, opening: Opening) -> Result<bool, crate::motion::plan::ItemError> {
         if opening.ends {
             self.come_to(SequencePlace::SelectionEnd)?;
@@ -100,7 +100,8 @@ impl<S: Sink> Planner<'_, S> {
         Ok(opening.enters)
     }
 
-    /// Whether the machine retracts before the safety line: its codes must not move the tool down, or rotate it in the part.
+    /// Whether the machine retracts before the safety line: its codes must not move the tool down, or rotate it in the
+    /// part.
     pub(crate) fn retracts_before_restart(&self) -> bool {
         let moves = self.abilities.length_call_may_move || self.mover.position().is_in_frame();
         moves && self.mover.restarts() > 0
@@ -135,7 +136,8 @@ impl<S: Sink> Planner<'_, S> {
         self.approach(ahead, planned)
     }
 
-    /// Changes the tool that has been called, before a record that writes a block: records act in the order of the CL data.
+    /// Changes the tool that has been called, before a record that writes a block: records act in the order of the CL
+    /// data.
     pub(crate) fn carry_out_call(&mut self) -> Planned {
         if self.tooling.next().is_none() || self.selection.is_over() {
             return Ok(());
@@ -187,8 +189,8 @@ impl<S: Sink> Planner<'_, S> {
         self.shop_blocks(&Step::OperationBlocks { at_end: false })
     }
 
-    /// Blocks of the shop at the machine retract, and the retract after them. They may leave every axis anywhere, and spindle
-    /// and coolant on or off.
+    /// Blocks of the shop at the machine retract, and the retract after them. They may leave every axis anywhere, and
+    /// spindle and coolant on or off.
     fn shop_blocks(&mut self, blocks: &Step<'_>) -> Planned {
         self.mover.output_mut().step(blocks)?;
         self.mover.position_mut().forget_retract();
@@ -208,7 +210,8 @@ impl<S: Sink> Planner<'_, S> {
         self.stop_coolant()
     }
 
-    /// The blocks of the shop at the end of the operation, if one has begun; the state of the machine is unknown after them.
+    /// The blocks of the shop at the end of the operation, if one has begun; the state of the machine is unknown after
+    /// them.
     pub(crate) fn end_operation(&mut self) -> Planned {
         if !std::mem::take(&mut self.in_operation) || !self.abilities.operation_blocks.at_end {
             return Ok(());
@@ -225,8 +228,9 @@ impl<S: Sink> Planner<'_, S> {
         Ok(())
     }
 
-    /// OPSKIP: the blocks from here on may be skipped, or no longer. The machine retracts before both, with the spindle off, and
-    /// its state is unknown after both, so that the blocks after them are complete whether blocks were skipped or not.
+    /// OPSKIP: the blocks from here on may be skipped, or no longer. The machine retracts before both, with the spindle
+    /// off, and its state is unknown after both, so that the blocks after them are complete whether blocks were skipped
+    /// or not.
     pub(crate) fn skip_blocks(&mut self, on: bool) -> Planned {
         if on == self.mover.output().is_skippable() {
             return Ok(());
@@ -378,8 +382,8 @@ impl<S: Sink> Planner<'_, S> {
         self.mover.take_axes_to_tool_position()
     }
 
-    /// Spindle and coolant of an operation that continues from the end of the last one: course changes may cut before its
-    /// first motion.
+    /// Spindle and coolant of an operation that continues from the end of the last one: course changes may cut before
+    /// its first motion.
     pub(crate) fn prepare_directly(&mut self, first: &Move) -> Planned {
         self.apply_spindle(false)?;
         self.stop_spindle()?;
@@ -414,7 +418,8 @@ impl<S: Sink> Planner<'_, S> {
         self.approach(ahead, planned)
     }
 
-    /// The safe sequence from the present place and back to it at feed, where a stretch of another mode begins with a cut.
+    /// The safe sequence from the present place and back to it at feed, where a stretch of another mode begins with a
+    /// cut.
     pub(crate) fn change_mode(&mut self, cut: &Move) -> Planned {
         let here = *self.mover.here();
         let words = self.mover.placer().rotary_words_of(&here.words);
@@ -427,8 +432,8 @@ impl<S: Sink> Planner<'_, S> {
         self.linked && self.mover.position().is_known() && !self.modes.changes()
     }
 
-    /// Whether the tool stays where it is at the name of an operation and at a call of the tool in the spindle: the first motion
-    /// decides.
+    /// Whether the tool stays where it is at the name of an operation and at a call of the tool in the spindle: the
+    /// first motion decides.
     pub(crate) fn may_stay(&self) -> bool {
         match self.policy.options.rapids.transition {
             Transition::Safe => false,

@@ -19,9 +19,11 @@ pub struct Statistics {
     pub links: u64,
     /// Blocks in inverse time.
     pub inverse_time: u64,
-    /// Blocks in which linear axes move by rounding alone beside a rotation, where the control takes the time from them.
+    /// Blocks in which linear axes move by rounding alone beside a rotation, where the control takes the time from
+    /// them.
     pub faint: u64,
-    /// Motions whose tool axis was so near the pole that it was moved there, while the first rotary axis kept its angle.
+    /// Motions whose tool axis was so near the pole that it was moved there, while the first rotary axis kept its
+    /// angle.
     pub near_pole: u64,
     /// Largest angle by which such a tool axis was moved.
     pub largest_at_pole_rad: f64,

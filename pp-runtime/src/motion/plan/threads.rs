@@ -16,8 +16,8 @@ pub struct Thread {
     pub left: bool,
     /// Number of holes.
     pub holes: u64,
-    /// Largest error of the pitch over the length of the thread by the rounding of words, mm: above zero where the thread is too
-    /// long.
+    /// Largest error of the pitch over the length of the thread by the rounding of words, mm: above zero where the
+    /// thread is too long.
     pub error_mm: f64,
 }
 

@@ -20,7 +20,7 @@ pub(crate) struct Tooling {
     before_skip: Option<LoadedTool>,
     /// Number of the last tool called before them.
     called_before_skip: Option<u32>,
-    /// The same after them, until a tool is called.
+    /// Number of the last tool called if they are skipped, until a tool is called.
     called_if_skipped: Option<u32>,
     /// Another tool may be in the spindle, as blocks were skipped or not.
     uncertain: bool,
@@ -129,8 +129,8 @@ impl Tooling {
         self.called_if_skipped.is_some_and(|before| before != number)
     }
 
-    /// The tool after this one, where it is the tool of the last change; after the last one the `first`, for the next part. None where the
-    /// spindle is empty then.
+    /// The tool after this one, where it is the tool of the last change; after the last one the `first`, for the next
+    /// part. None where the spindle is empty then.
     pub(crate) fn following(&self, number: u32, first: bool) -> Option<u32> {
         let known = self.order.get(self.changes.checked_sub(1)?..)?;
         let next =

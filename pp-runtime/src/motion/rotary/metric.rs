@@ -116,14 +116,14 @@ impl RotaryMetric {
         }
     }
 
-    /// Whether the cost of a rotation of the first axis is the sum of the costs of its parts, whatever the other axis does:
-    /// it has limits, and no axis has a known speed. Times are rounded.
+    /// Whether the cost of a rotation of the first axis is the sum of the costs of its parts, whatever the other axis
+    /// does: it has limits, and no axis has a known speed. Times are rounded.
     pub(crate) fn adds_up_along_first_axis(&self) -> bool {
         self.is_untimed && !self.endless[0]
     }
 
-    /// Travel by which a course is longer than a cheaper one, or an equal one; infinite if more than travel tells them apart. Negative
-    /// infinity where an axis has a known speed: there times tell them apart, and these are rounded.
+    /// Travel by which a course is longer than a cheaper one, or an equal one; infinite if more than travel tells them
+    /// apart. Negative infinity where an axis has a known speed: there times tell them apart, and these are rounded.
     pub(crate) fn longer_by(&self, cheaper: Cost, other: Cost) -> f64 {
         if !self.is_untimed {
             return f64::NEG_INFINITY;

@@ -248,8 +248,8 @@ impl Expansion<'_> {
         if self.operations.between() { self.first_line(motion, part, to) } else { self.single_line(motion, part, to) }
     }
 
-    /// Hands on a straight motion between two operations. A rapid before the first tool only sets the start angles of the rotary
-    /// axes.
+    /// Hands on a straight motion between two operations. A rapid before the first tool only sets the start angles of
+    /// the rotary axes.
     fn first_line<S: Stage>(&mut self, motion: &Move, part: LinePart, to: &mut S) -> Result<(), S::Stop> {
         if self.operations.passes_over(motion) {
             if self.operations.first_passed_over() {

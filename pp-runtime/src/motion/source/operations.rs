@@ -18,8 +18,8 @@ use crate::program::{ClearancePlane, Hole, Move, ToolCall};
 pub enum Begins {
     /// The motion belongs to the same operation.
     Nothing,
-    /// The motion begins an operation that may continue from the end of the last one: no interruption, and `transition` permits
-    /// it.
+    /// The motion begins an operation that may continue from the end of the last one: no interruption, and `transition`
+    /// permits it.
     Linked,
     /// The motion begins an operation that starts with the safe sequence.
     Operation,
@@ -36,8 +36,8 @@ pub struct MotionIndex {
     pub stretch: u64,
     /// Whether the motion begins an operation.
     pub begins: Begins,
-    /// The motion is at feed, and its tool axis is not the one with which the stretch began, or that of a feed line before it in
-    /// the stretch was not.
+    /// The motion is at feed, and its tool axis is not the one with which the stretch began, or that of a feed line
+    /// before it in the stretch was not.
     pub rotates_axis: bool,
 }
 
@@ -175,7 +175,8 @@ impl MotionCounter {
         self.begins = Begins::Operation;
     }
 
-    /// Counts a record after which the path does not go on from where it was: a tool, GOHOME, a retract, another set-up.
+    /// Counts a record after which the path does not go on from where it was: a tool, GOHOME, a retract, another
+    /// set-up.
     pub(crate) fn leave(&mut self) {
         self.since = Since::NewStart;
         self.interrupt();

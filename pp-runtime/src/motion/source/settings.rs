@@ -1,8 +1,8 @@
 //! Settings of each operation, from the entries of `[operations]`.
 //!
-//! For each key the entry with the number of the operation counts before one with its name, and a name before a pattern.
-//! Two entries of one rank that set a key of one operation differently are a fault. The name of an operation is that of the
-//! last TOOL PATH before its first motion.
+//! For each key the entry with the number of the operation counts before one with its name, and a name before a
+//! pattern. Two entries of one rank that set a key of one operation differently are a fault. The name of an operation
+//! is that of the last TOOL PATH before its first motion.
 
 use crate::motion::fault::Fault;
 use crate::motion::options::{

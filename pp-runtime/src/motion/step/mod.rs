@@ -110,8 +110,8 @@ pub enum Step<'a> {
         /// End point, machine coordinates.
         words: AxisWords,
     },
-    /// The retract axis to its machine position, by the machine retract of the configuration. After it the position of this
-    /// axis in program coordinates is unknown.
+    /// The retract axis to its machine position, by the machine retract of the configuration. After it the position of
+    /// this axis in program coordinates is unknown.
     Retract {
         /// End point, machine coordinate.
         words: AxisWords,
@@ -121,15 +121,16 @@ pub enum Step<'a> {
         /// End point, machine coordinates.
         words: AxisWords,
     },
-    /// Safety line, at which a program can be entered: units, plane, modes cancelled, feed per minute, work offset. After
-    /// it every word is written again.
+    /// Safety line, at which a program can be entered: units, plane, modes cancelled, feed per minute, work offset.
+    /// After it every word is written again.
     Restart {
         /// Number of the safety line, from 1.
         number: u32,
         /// A tool change follows.
         changes_tool: bool,
     },
-    /// The modes of a safety line after blocks of the shop that may have changed them; the program is not entered there.
+    /// The modes of a safety line after blocks of the shop that may have changed them; the program is not entered
+    /// there.
     Modes,
     /// Feed per minute from here on.
     PerMinute,
@@ -200,15 +201,16 @@ pub enum Step<'a> {
         /// Largest difference allowed, mm.
         tolerance: f64,
     },
-    /// Comparison of rotary axes with their positions, apart from whole turns, after the control has tilted a plane; the
-    /// program stops where they differ. Writes nothing where a control cannot compare.
+    /// Comparison of rotary axes with their positions, apart from whole turns, after the control has tilted a plane;
+    /// the program stops where they differ. Writes nothing where a control cannot compare.
     PlaneGuard {
         /// Label that is unique among these steps.
         label: u32,
         /// Positions.
         words: AxisWords,
     },
-    /// Comparison of what lies over the work offset: rotation, scale, mirror, shifts that last; the program stops where there is any.
+    /// Comparison of what lies over the work offset: rotation, scale, mirror, shifts that last; the program stops where
+    /// there is any.
     OffsetGuard {
         /// Label that is unique among these steps.
         label: u32,
@@ -276,8 +278,8 @@ pub enum Step<'a> {
         /// At its end.
         at_end: bool,
     },
-    /// Blocks with which a probe measures, written unchanged; smoothing is off before them, and the state of the machine unknown
-    /// after them.
+    /// Blocks with which a probe measures, written unchanged; smoothing is off before them, and the state of the
+    /// machine unknown after them.
     Probe {
         /// The blocks.
         blocks: &'a [String],

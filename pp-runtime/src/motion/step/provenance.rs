@@ -1,5 +1,5 @@
-//! Provenance of the blocks of a program: the record of the CL data that a step belongs to, the reason for the step, and the
-//! position after it. The planner passes it to the sink with each step; a sink may record it or not.
+//! Provenance of the blocks of a program: the record of the CL data that a step belongs to, the reason for the step,
+//! and the position after it. The planner passes it to the sink with each step; a sink may record it or not.
 
 use crate::kinematics::{Branch, Pose};
 use crate::program::Location;

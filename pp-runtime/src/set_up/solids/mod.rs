@@ -1,8 +1,9 @@
 //! Solids of machine, fixtures and part, for `simulate` and `view`.
 //!
 //! A solid of the table side is in the coordinates of the table, from its reference point; one of the head is in the
-//! coordinates of the spindle, from the gauge line. Both with all axes at zero: so is `d` of the machine's declaration. Solids
-//! of the frame are where they are in that position, in which the spindle nose is at the reference point of the table.
+//! coordinates of the spindle, from the gauge line. Both with all axes at zero: so is `d` of the machine's declaration.
+//! Solids of the frame are where they are in that position, in which the spindle nose is at the reference point of the
+//! table.
 
 mod keys;
 

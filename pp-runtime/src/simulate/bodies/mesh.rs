@@ -1,8 +1,8 @@
 //! Bodies as triangles: STL files, and the lines that are inside.
 //!
-//! A body must be closed and its triangles must face outwards. Whether a line meets a triangle is decided by the side of each
-//! edge on which it is. An edge has the same side for both of its triangles, and a line that meets an edge exactly is moved
-//! aside by less than any number, so that a closed body is entered as often as it is left.
+//! A body must be closed and its triangles must face outwards. Whether a line meets a triangle is decided by the side
+//! of each edge on which it is. An edge has the same side for both of its triangles, and a line that meets an edge
+//! exactly is moved aside by less than any number, so that a closed body is entered as often as it is left.
 
 use std::cmp::Reverse;
 use std::io::{self, Read, Seek, SeekFrom, Write};
@@ -42,7 +42,7 @@ impl Mesh {
         mesh.flaw().map_or(Ok(mesh), |flaw| Err(MeshFault(flaw)))
     }
 
-    /// The same for a surface that may be open or inside out.
+    /// Reads an STL file with a surface that may be open or inside out.
     ///
     /// # Errors
     /// A sentence about a file that is no STL file, or too large.
@@ -319,8 +319,8 @@ pub(crate) struct LinesThrough<'m> {
 }
 
 impl LinesThrough<'_> {
-    /// Adds the parts of the next line that are inside; returns whether it leaves the body as often as it enters it. Lines
-    /// are asked for row by row.
+    /// Adds the parts of the next line that are inside; returns whether it leaves the body as often as it enters it.
+    /// Lines are asked for row by row.
     pub(crate) fn parts(&mut self, line: [usize; 2], parts: &mut Vec<[f64; 2]>) -> bool {
         if line[1] >= self.end {
             self.hold_rows(line[1]);

@@ -19,8 +19,8 @@ pub(crate) fn block([low, high]: [[f64; 3]; 2]) -> Triangles {
     (vertices.collect(), ends.into_iter().chain(sides).collect())
 }
 
-/// A closed outline of radii and heights, rotated about Z; corners of radius 0 are on the axis. Round surfaces are no farther
-/// than a distance from their triangles.
+/// A closed outline of radii and heights, rotated about Z; corners of radius 0 are on the axis. Round surfaces are no
+/// farther than a distance from their triangles.
 pub(crate) fn turned(outline: &[[f64; 2]], chord_mm: f64) -> Triangles {
     let count = outline.len();
     let next = |index: usize| outline[(index + 1) % count];

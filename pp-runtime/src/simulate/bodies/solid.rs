@@ -37,7 +37,8 @@ pub(crate) enum SolidFault {
 pub(crate) type OpenFile<'a> = &'a dyn Fn(&str) -> io::Result<File>;
 
 impl SolidBody {
-    /// The triangles of a solid; `open` opens its file. `chord_mm`: largest distance of round surfaces from their triangles.
+    /// The triangles of a solid; `open` opens its file. `chord_mm`: largest distance of round surfaces from their
+    /// triangles.
     ///
     /// # Errors
     /// [`SolidFault`].

@@ -1,9 +1,9 @@
 //! The machined stock against the design: gouges and rest material.
 //!
-//! The design is cut by the lines of the stock. Where a line has design and no material there is a gouge, where it has material
-//! and no design there is rest. The size of either is the distance from the surface of the design to its closest point. It is
-//! largest at an end of the material, or in the middle of a part of the design that is missing from one side to the other
-//! (and of material that fills a gap of the design), which is searched along the line.
+//! The design is cut by the lines of the stock. Where a line has design and no material there is a gouge, where it has
+//! material and no design there is rest. The size of either is the distance from the surface of the design to its
+//! closest point. It is largest at an end of the material, or in the middle of a part of the design that is missing
+//! from one side to the other (and of material that fills a gap of the design), which is searched along the line.
 //!
 //! Memory depends on the stock and the design. Neighbouring places beyond the tolerance are one region.
 
@@ -283,8 +283,8 @@ impl Design {
         Self { mesh, surface }
     }
 
-    /// Compares a stock. `gouge` and `rest`: tolerances to either side, mm; material that is not thicker than `thin` may be none.
-    /// `allowance`: what a cut leaves besides, mm.
+    /// Compares a stock. `gouge` and `rest`: tolerances to either side, mm; material that is not thicker than `thin`
+    /// may be none. `allowance`: what a cut leaves besides, mm.
     pub(crate) fn compare(
         &self,
         stock: &TriDexel,
@@ -338,7 +338,8 @@ impl Design {
 }
 
 impl Design {
-    /// Distance of each end of a stock from the surface, negative inside; unknown where a line enters more often than it leaves.
+    /// Distance of each end of a stock from the surface, negative inside; unknown where a line enters more often than
+    /// it leaves.
     pub(crate) fn deviations(&self, stock: &TriDexel) -> EndValues {
         let (mut ends, mut solid) = (EndValues::default(), Vec::new());
         for (family, pitch) in stock.pitch().into_iter().enumerate() {
@@ -379,7 +380,7 @@ impl StockLine<'_> {
         self.design.surface.distance(place(self.family, self.across, at), along)
     }
 
-    /// The same, negative inside.
+    /// Distance from the surface of the design, negative inside.
     fn signed(&self, at: f64, solid: &[[f64; 2]]) -> f64 {
         let inside = solid.iter().any(|[low, high]| *low < at && at < *high);
         let distance = self.distance(at, solid);
@@ -458,8 +459,8 @@ impl StockLine<'_> {
         hits.push(Hit { deviation, at, ends, family: self.family, across: self.across, origin });
     }
 
-    /// Largest distance from the surface between two places on it: a place is not nearer to it by more than its distance
-    /// from another, so parts that cannot have a larger one are left out.
+    /// Largest distance from the surface between two places on it: a place is not nearer to it by more than its
+    /// distance from another, so parts that cannot have a larger one are left out.
     fn middle(&self, [low, high]: [f64; 2], solid: &[[f64; 2]]) -> (f64, f64) {
         let mut open = vec![[low, 0.0, high, 0.0]];
         let (mut best, mut best_at) = (0.0, f64::midpoint(low, high));

@@ -1,7 +1,7 @@
 //! The machined stock against the design.
 //!
-//! `comparison` finds gouges and rest material along the lines of the stock, `nearest` has the distance from the surface of
-//! the design.
+//! `comparison` finds gouges and rest material along the lines of the stock, `nearest` has the distance from the
+//! surface of the design.
 
 mod comparison;
 mod nearest;

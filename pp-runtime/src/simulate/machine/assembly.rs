@@ -71,7 +71,8 @@ pub(crate) fn without_solids(machine: &dyn AnyMachine, set_up: &SetUp, solids: &
     missing
 }
 
-/// The distances of all bodies of a job. `None`: there is no solid of machine or fixture. `sentences`: what is not checked.
+/// The distances of all bodies of a job. `None`: there is no solid of machine or fixture. `sentences`: what is not
+/// checked.
 pub(crate) fn clearances(
     machine: &dyn AnyMachine,
     set_up: &SetUp,

@@ -36,16 +36,17 @@ pub(crate) struct Body {
 const COAXIAL_MM: f64 = 0.005;
 
 impl Body {
-    /// The first and the last link in whose coordinates the body stays where it is, and the tolerance to be added for that,
-    /// mm. They are its own, and those beyond rotary axes that rotate it about its own axis.
+    /// The first and the last link in whose coordinates the body stays where it is, and the tolerance to be added for
+    /// that, mm. They are its own, and those beyond rotary axes that rotate it about its own axis.
     ///
-    /// A body of revolution fills the same space after any rotation about its axis. A centre line has the same coordinates in
-    /// the links on both of its sides. So where it is the axis of the body, the body is at rest in the link on the other side
-    /// too, at the coordinates that it has in its own; the same then holds for the next joint of that link.
+    /// A body of revolution fills the same space after any rotation about its axis. A centre line has the same
+    /// coordinates in the links on both of its sides. So where it is the axis of the body, the body is at rest in the
+    /// link on the other side too, at the coordinates that it has in its own; the same then holds for the next joint of
+    /// that link.
     ///
-    /// Where both lines are up to `e` apart, a motion `T` that moves no point of the body by more than `e` takes its axis to
-    /// the centre line. With `R` a rotation about the axis, which leaves the body as it is, the joint is `T R T⁻¹`: no point
-    /// of it is more than `2 e` from the same of `R`.
+    /// Where both lines are up to `e` apart, a motion `T` that moves no point of the body by more than `e` takes its
+    /// axis to the centre line. With `R` a rotation about the axis, which leaves the body as it is, the joint is
+    /// `T R T⁻¹`: no point of it is more than `2 e` from the same of `R`.
     pub(crate) fn rests(&self, links: &MachineLinks) -> ([usize; 2], f64) {
         let Some(axis) = &self.axis else { return ([self.link; 2], 0.0) };
         let mut added_mm = 0.0;

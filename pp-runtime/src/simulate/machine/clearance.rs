@@ -1,10 +1,12 @@
-//! Distances between the bodies of machine, fixtures, stock and tool while a program is executed: certified, not sampled.
+//! Distances between the bodies of machine, fixtures, stock and tool while a program is executed: certified, not
+//! sampled.
 //!
-//! Of each pair a distance at one position of the axes is kept. It is good for all positions at which the bodies have moved
-//! against each other by less (`reach`). A motion that goes farther is measured again in its middle, and divided there until
-//! every part is good, or so small that the distance in it is known to [`RESOLUTION_MM`].
+//! Of each pair a distance at one position of the axes is kept. It is good for all positions at which the bodies have
+//! moved against each other by less (`reach`). A motion that goes farther is measured again in its middle, and divided
+//! there until every part is good, or so small that the distance in it is known to [`RESOLUTION_MM`].
 //!
-//! Where each axis moves on its own, the position is anywhere in the box of their values, which is divided in the same manner.
+//! Where each axis moves on its own, the position is anywhere in the box of their values, which is divided in the same
+//! manner.
 //!
 //! The distance that is certified is the clearance of the configuration. Beyond it the smallest distance of a pair is
 //! searched for to a few percent, as far as [`SHOWN_MM`].
@@ -22,7 +24,8 @@ use crate::kinematics::{AxisRanges, AxisValues, MAX_AXES};
 /// Part of a motion within which bodies move against each other by no more than this is not divided, mm.
 const RESOLUTION_MM: f64 = 0.01;
 
-/// The same for the box of a motion whose axes arrive in any order.
+/// Part of the box of a motion whose axes arrive in any order within which bodies move by no more than this is not
+/// divided, mm.
 const BOX_RESOLUTION_MM: f64 = 0.5;
 
 /// Divisions of such a box, and halvings of a motion: at most.
@@ -76,8 +79,8 @@ pub(crate) struct Meeting {
 pub(crate) struct BodyPair {
     /// The one nearer to the table first.
     pub(crate) bodies: [usize; 2],
-    /// Links in whose coordinates they are compared. They are at rest there (`Body::rests`), and only the axes between move them
-    /// against each other.
+    /// Links in whose coordinates they are compared. They are at rest there (`Body::rests`), and only the axes between
+    /// move them against each other.
     links: [usize; 2],
     /// Its tool, if one of them is part of a tool.
     tool: Option<u32>,
@@ -282,7 +285,8 @@ impl Clearances {
         AxisRanges { low: self.values(course, &ranges.low), high: self.values(course, &ranges.high) }
     }
 
-    /// Distance down to which a pair must be certified: the clearance, or that below which a smaller distance is searched for.
+    /// Distance down to which a pair must be certified: the clearance, or that below which a smaller distance is
+    /// searched for.
     fn wanted(&self, course: &ConstantMotion<'_>, pair: usize) -> f64 {
         let notable = self.pairs[pair]
             .smallest

@@ -1,6 +1,7 @@
 //! Distance of two bodies: spheres first, then hulls, then surfaces.
 //!
-//! Each of these is a lower bound of the next, and enough where it is as large as what is asked for. Distances are by parry.
+//! Each of these is a lower bound of the next, and enough where it is as large as what is asked for. Distances are by
+//! parry.
 
 use nalgebra::{Isometry3, Point3};
 use parry3d_f64::math::Pose;

@@ -1,8 +1,9 @@
 //! The machine as links: what moves together, from the table to the spindle.
 //!
-//! Link 0 has the part, the last link the tool; joint `i` is between link `i` and link `i + 1`. The coordinates of a link are
-//! those of the zero position: of the table its own, of the head those of the gauge line, which is at the reference point of
-//! the table there. So axis values here count from there: the machine has no part origin and no tool.
+//! Link 0 has the part, the last link the tool; joint `i` is between link `i` and link `i + 1`. The coordinates of a
+//! link are those of the zero position: of the table its own, of the head those of the gauge line, which is at the
+//! reference point of the table there. So axis values here count from there: the machine has no part origin and no
+//! tool.
 
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
@@ -65,8 +66,8 @@ impl MachineLinks {
         self.is_rotary(joint).then_some(CentreLine { point, direction })
     }
 
-    /// Axis values of these links: of the words of a set-up with its part and tool. `offsets_mm`: machine coordinates of
-    /// linear axes less value and `machine_zero`.
+    /// Axis values of these links: of the words of a set-up with its part and tool. `offsets_mm`: machine coordinates
+    /// of linear axes less value and `machine_zero`.
     pub(crate) fn values(&self, axes: &AxisValues, offsets_mm: &AxisValues) -> AxisValues {
         std::array::from_fn(|index| match self.joints.get(index) {
             Some((_, AxisKind::Linear, _)) => axes[index] + offsets_mm[index] + self.first_part[index],
@@ -74,8 +75,8 @@ impl MachineLinks {
         })
     }
 
-    /// From the coordinates of each link to the same in the zero position of a set-up with its part and tool, where they are
-    /// those of the part zero, mm.
+    /// From the coordinates of each link to the same in the zero position of a set-up with its part and tool, where
+    /// they are those of the part zero, mm.
     pub(crate) fn at_zero(&self, part_origin: [f64; 3], offsets_mm: &AxisValues) -> Vec<[f64; 3]> {
         let values = self.values(&[0.0; 9], offsets_mm);
         let place = |link| self.between(0, link, &values).translation.vector - Vector3::from(part_origin);

@@ -1,10 +1,10 @@
 //! How far two bodies move against each other at most while axes move.
 //!
-//! Only the axes between their links count. They are moved one after the other, from the first body on. A linear axis by `v`
-//! moves the second body by `v`. A rotary axis by `v` moves no point of a body by more than `v` times its distance from the
-//! centre line, and none by more than twice that distance; rotating the one body is the same as rotating the other back, so
-//! the smaller of both counts. The distance of the second body is that at the beginning, since the axes after it have not moved
-//! yet; that of the first one has grown by what the axes before have moved it.
+//! Only the axes between their links count. They are moved one after the other, from the first body on. A linear axis
+//! by `v` moves the second body by `v`. A rotary axis by `v` moves no point of a body by more than `v` times its
+//! distance from the centre line, and none by more than twice that distance; rotating the one body is the same as
+//! rotating the other back, so the smaller of both counts. The distance of the second body is that at the beginning,
+//! since the axes after it have not moved yet; that of the first one has grown by what the axes before have moved it.
 
 use nalgebra::Point3;
 
@@ -41,7 +41,8 @@ impl Levers {
         Self { values: *values, from, to, levers }
     }
 
-    /// Largest motion of the bodies against each other while no axis value differs by more than `by` from that here, mm.
+    /// Largest motion of the bodies against each other while no axis value differs by more than `by` from that here,
+    /// mm.
     pub(crate) fn motion(&self, by: &AxisValues) -> f64 {
         let (mut total, mut moved) = (0.0, 0.0);
         for (by, levers) in by.iter().zip(&self.levers).take(self.to).skip(self.from) {

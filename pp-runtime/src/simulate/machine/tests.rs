@@ -167,8 +167,8 @@ impl TestSolid {
     }
 }
 
-/// Bodies of a machine: one for each link, about where they can meet. Some of those on rotary axes are turned about their
-/// centre lines.
+/// Bodies of a machine: one for each link, about where they can meet. Some of those on rotary axes are turned about
+/// their centre lines.
 fn solids(random: &mut Random, machine: &dyn AnyMachine, links: &MachineLinks) -> Vec<TestSolid> {
     let mut all = Vec::new();
     for (joint, axis) in machine.axes().iter().enumerate() {
@@ -322,7 +322,7 @@ impl Bodies {
         distance(&a.1, &moved(&b.1, &self.links.between(a.0, b.0, values)))
     }
 
-    /// The same; far away a lower bound.
+    /// Distance of two bodies at a position; far away a lower bound.
     fn near(&self, pair: [usize; 2], values: &AxisValues) -> f64 {
         let [a, b] = pair.map(|index| &self.meshes[index]);
         let place = self.links.between(a.0, b.0, values);

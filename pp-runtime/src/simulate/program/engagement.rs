@@ -97,7 +97,7 @@ impl Engagement {
         self.operations.values().fold(0.0, |volume, removal| volume + removal.volume_mm3)
     }
 
-    /// The same by tool: volume, mm³, and time, min.
+    /// Volume, mm³, and time, min, by tool.
     pub(crate) fn of_tools(&self) -> BTreeMap<u32, (f64, f64)> {
         let mut tools: BTreeMap<u32, (f64, f64)> = BTreeMap::new();
         for ((_, tool), removal) in &self.operations {

@@ -1,9 +1,9 @@
 //! The executed program cuts the stock: motions into swept pieces, contacts into findings.
 //!
-//! A motion is divided until it is straight and even within [`PATH_MM`], by certified bounds. A rapid whose axes move each on
-//! its own may be anywhere in the box of their values: the box is compared with the stock and removes nothing, then the
-//! straight path is removed, so that one contact is one finding. At rapid, with the spindle off, and for shank and holder the
-//! tool is taken smaller by [`TOUCH_MM`]: it may slide along what it has cut.
+//! A motion is divided until it is straight and even within [`PATH_MM`], by certified bounds. A rapid whose axes move
+//! each on its own may be anywhere in the box of their values: the box is compared with the stock and removes nothing,
+//! then the straight path is removed, so that one contact is one finding. At rapid, with the spindle off, and for shank
+//! and holder the tool is taken smaller by [`TOUCH_MM`]: it may slide along what it has cut.
 
 use super::outcome::{Contacting, EPS_MM, FoundContact, SimulationOutcome, Size, TOUCH_MM, What};
 use super::recording::Recording;
@@ -92,7 +92,7 @@ impl<'a> Machining<'a> {
         }
     }
 
-    /// The same; the removal is kept for a page.
+    /// This machining with the removal kept for a page.
     pub(crate) fn recorded(self) -> Self {
         Self { recording: Some(Recording::of(&self.stock, self.set_up)), ..self }
     }
@@ -323,8 +323,8 @@ impl CertifiedCourse for ExecutedMotion<'_> {
 /// Share and place at both ends of a part.
 pub(super) type Ends<'p> = [&'p (f64, ExecutedPlace); 2];
 
-/// Divides a motion between two shares until its parts are straight and even within [`PATH_MM`] for points within `reach` of
-/// the tip; `part` takes each of them with its deviation, mm.
+/// Divides a motion between two shares until its parts are straight and even within [`PATH_MM`] for points within
+/// `reach` of the tip; `part` takes each of them with its deviation, mm.
 pub(super) fn divide(
     course: &dyn CertifiedCourse,
     reach: f64,

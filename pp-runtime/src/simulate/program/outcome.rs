@@ -157,7 +157,8 @@ pub(crate) struct SimulationOutcome {
     pub(crate) unknown: BTreeMap<&'static str, u64>,
     /// Rapids whose axes arrive in any order and rotate the tool: only their straight path is compared.
     pub(crate) rotating_rapids: u64,
-    /// Operations that leave an allowance, by the first lines of their cuts: line and allowance, mm; 0 where none is left.
+    /// Operations that leave an allowance, by the first lines of their cuts: line and allowance, mm; 0 where none is
+    /// left.
     allowances: Vec<(u64, f64)>,
     /// Largest deviation of the pieces from the executed path, mm.
     pub(crate) deviation_mm: f64,

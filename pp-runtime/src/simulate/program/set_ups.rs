@@ -83,8 +83,8 @@ impl PartPlaces {
     }
 }
 
-/// A stock moved. By quarter turns about the axes its lines stay lines; otherwise it is made anew of its surface, with an error
-/// of a part of the pitch at edges, and without the names of the pieces that cut it.
+/// A stock moved. By quarter turns about the axes its lines stay lines; otherwise it is made anew of its surface, with
+/// an error of a part of the pitch at edges, and without the names of the pieces that cut it.
 ///
 /// # Errors
 /// [`StockFault`]: nothing is left of it.

@@ -1,10 +1,11 @@
 //! Tools as the machine knows them: the tool table of a control as a file.
 //!
 //! - LinuxCNC: a line `T1 P1 Z+120.5 D10.0 ;comment` for each tool (sample configurations of LinuxCNC, `sim.tbl`).
-//! - Heidenhain TOOL.T: `BEGIN TOOL .T MM`, a line of column names, one line for each tool with its values below those names;
-//!   T, NAME, L, R, R2, DL, DR (TNC7 user's manual 81762x-17, "Tool table tool.t").
-//! - Lines of a program, `G10 L10 P1 R120.5`: L10 is the length of offset H, L11 or L1 with R its wear, L12 the diameter and L13
-//!   its wear (Haas, "Programmable Offsets", haas.co.uk); `G10 L1 P1 Z120.5` is LinuxCNC's (macros of its gmoccapy sample).
+//! - Heidenhain TOOL.T: `BEGIN TOOL .T MM`, a line of column names, one line for each tool with its values below those
+//!   names; T, NAME, L, R, R2, DL, DR (TNC7 user's manual 81762x-17, "Tool table tool.t").
+//! - Lines of a program, `G10 L10 P1 R120.5`: L10 is the length of offset H, L11 or L1 with R its wear, L12 the
+//!   diameter and L13 its wear (Haas, "Programmable Offsets", haas.co.uk); `G10 L1 P1 Z120.5` is LinuxCNC's (macros of
+//!   its gmoccapy sample).
 
 use std::collections::BTreeMap;
 
@@ -197,8 +198,8 @@ fn words(line: &str) -> Result<Vec<(char, f64)>, String> {
 }
 
 impl MachineToolTable {
-    /// Gives the tools of a set-up the lengths that they have at the machine; returns sentences about those that differ from
-    /// what was posted, and about tools that are not in the table.
+    /// Gives the tools of a set-up the lengths that they have at the machine; returns sentences about those that differ
+    /// from what was posted, and about tools that are not in the table.
     pub(crate) fn apply(&self, set_up: &mut SetUp, facts: &ClFacts) -> Vec<String> {
         let mut sentences = Vec::new();
         for (number, tool) in &facts.tools {

@@ -1,9 +1,9 @@
 //! Removal of material by moving tools, with certified ends.
 //!
-//! A [`Cutter`] is a few convex [`Profile`]s, a motion of one of them a [`SweptPiece`], and the stock a [`TriDexel`]: lines
-//! in three directions, of which the swept space is removed. Every new end is within a tolerance of the true sweep, on either
-//! side, however the tool turns and however closely a line grazes it: `sweep` has the mathematics. `surface` makes triangles of
-//! the stock.
+//! A [`Cutter`] is a few convex [`Profile`]s, a motion of one of them a [`SweptPiece`], and the stock a [`TriDexel`]:
+//! lines in three directions, of which the swept space is removed. Every new end is within a tolerance of the true
+//! sweep, on either side, however the tool turns and however closely a line grazes it: `sweep` has the mathematics.
+//! `surface` makes triangles of the stock.
 
 mod in_order;
 mod profile;

@@ -1,16 +1,16 @@
 //! Tools of revolution as convex pieces.
 //!
-//! A piece is described in the meridian plane: `rho`, the distance from the tool axis, and `h`, the height above the tip.
-//! It is a wedge of two lines that meet in a vertex, grown by a rounding radius, between two heights:
+//! A piece is described in the meridian plane: `rho`, the distance from the tool axis, and `h`, the height above the
+//! tip. It is a wedge of two lines that meet in a vertex, grown by a rounding radius, between two heights:
 //!
 //! ```text
 //! f(rho, h) = max(wedge(rho - vertex, h - vertex) - round, low - h, h - high)
 //! ```
 //!
-//! `wedge` is the signed distance from the wedge. `f` never falls with `rho`, it is convex and changes by no more than the
-//! distance: so is the function of space that it makes when it is rotated about the axis. Where `f` is zero the surface is
-//! exact; outside a corner between the wedge and a height, or at the point of a cone, `f` is less than the distance from the
-//! body, by no more than the factor [`Profile::sharpness`].
+//! `wedge` is the signed distance from the wedge. `f` never falls with `rho`, it is convex and changes by no more than
+//! the distance: so is the function of space that it makes when it is rotated about the axis. Where `f` is zero the
+//! surface is exact; outside a corner between the wedge and a height, or at the point of a cone, `f` is less than the
+//! distance from the body, by no more than the factor [`Profile::sharpness`].
 //!
 //! A tool that is not convex is the union of its pieces, and its sweep is the union of theirs.
 
@@ -51,7 +51,8 @@ pub struct Profile {
 pub enum Cutter {
     /// Flat (`corner` 0), bull or ball end (`corner` is the radius); its side may be inclined.
     Mill {
-        /// Radius at the end of the tool: for a tapered mill that of the circle in which the lines of end and side meet.
+        /// Radius at the end of the tool: for a tapered mill that of the circle in which the lines of end and side
+        /// meet.
         radius: f64,
         /// Corner radius.
         corner: f64,
@@ -154,7 +155,8 @@ impl Profile {
         self.radius
     }
 
-    /// The outline as a convex polygon of radii and heights from the axis to the axis, no farther from it than a distance.
+    /// The outline as a convex polygon of radii and heights from the axis to the axis, no farther from it than a
+    /// distance.
     pub(crate) fn polygon(&self, chord_mm: f64) -> Vec<[f64; 2]> {
         let at = |h: f64| [self.outline(h).unwrap_or(0.0), h];
         let ends = [at(self.bottom), at(self.high)];
@@ -165,8 +167,8 @@ impl Profile {
         polygon
     }
 
-    /// Adds the outline between two of its points. It is concave: nowhere is it farther from the chord than twice as far as in
-    /// the middle.
+    /// Adds the outline between two of its points. It is concave: nowhere is it farther from the chord than twice as
+    /// far as in the middle.
     fn refine(&self, from: [f64; 2], to: [f64; 2], chord_mm: f64, halvings: u32, polygon: &mut Vec<[f64; 2]>) {
         let h = f64::midpoint(from[1], to[1]);
         let middle = [self.outline(h).unwrap_or(0.0), h];
@@ -228,8 +230,8 @@ impl Profile {
         at(from).max(at(to)).max(ends) + 1e-9
     }
 
-    /// The sharpest corner: where the normals of two faces that meet differ by `d`, the distance from the corner is at most
-    /// `1 / cos(d/2)` times the larger distance from the faces.
+    /// The sharpest corner: where the normals of two faces that meet differ by `d`, the distance from the corner is at
+    /// most `1 / cos(d/2)` times the larger distance from the faces.
     fn sharpest(&self) -> f64 {
         let half = |a: [f64; 2], b: [f64; 2]| ((1.0 + a[0] * b[0] + a[1] * b[1]) / 2.0).max(0.0).sqrt();
         let normal = |rho: f64, h: f64| {

@@ -1,13 +1,13 @@
 //! The stock: three families of parallel lines, each with the parts that are material.
 //!
-//! A family has its lines along X, Y or Z, a pitch apart, in tiles of 16 x 16. A span of a line is two coordinates and the
-//! names of the pieces that cut there: 16 bytes. Where a line has several spans they are in a list of the tile. A tile whose
-//! lines are all alike has one span for all of them, as in a blank that is not cut there, and where nothing is left. Within a
-//! tile lines are in blocks of 4 x 4; a block that a piece does not reach is left out as a whole, by the line in its middle
-//! and the tool grown by half its diagonal.
+//! A family has its lines along X, Y or Z, a pitch apart, in tiles of 16 x 16. A span of a line is two coordinates and
+//! the names of the pieces that cut there: 16 bytes. Where a line has several spans they are in a list of the tile. A
+//! tile whose lines are all alike has one span for all of them, as in a blank that is not cut there, and where nothing
+//! is left. Within a tile lines are in blocks of 4 x 4; a block that a piece does not reach is left out as a whole, by
+//! the line in its middle and the tool grown by half its diagonal.
 //!
-//! Every line and piece is independent of the others, so tiles are cut by several threads, and each line is cut by the pieces
-//! in their order. The result does not depend on the number of threads.
+//! Every line and piece is independent of the others, so tiles are cut by several threads, and each line is cut by the
+//! pieces in their order. The result does not depend on the number of threads.
 
 use std::sync::Mutex;
 
@@ -276,8 +276,8 @@ impl TriDexel {
         Self { low, high, pitch, families: [family(0), family(1), family(2)], effort: Effort::default() }
     }
 
-    /// A stock from a function that gives the material of a line: the family, its two numbers, and its two coordinates across.
-    /// The first number runs fastest.
+    /// A stock from a function that gives the material of a line: the family, its two numbers, and its two coordinates
+    /// across. The first number runs fastest.
     ///
     /// # Errors
     /// Those of [`empty`](Self::empty).
@@ -301,7 +301,8 @@ impl TriDexel {
         Ok(stock)
     }
 
-    /// Fills every line with its spans in their order: of a family and its two numbers, the first of which runs fastest.
+    /// Fills every line with its spans in their order: of a family and its two numbers, the first of which runs
+    /// fastest.
     fn fill(&mut self, mut spans_of: impl FnMut(usize, [usize; 2], &mut Vec<FilledPart>)) {
         let mut spans = Vec::new();
         for (family, held) in self.families.iter_mut().enumerate() {
@@ -356,7 +357,8 @@ impl TriDexel {
         self
     }
 
-    /// The stock rotated by quarter turns and moved, line by line: axis `a` is axis `from[a]` times `signs[a]`, and `by[a]`.
+    /// The stock rotated by quarter turns and moved, line by line: axis `a` is axis `from[a]` times `signs[a]`, and
+    /// `by[a]`.
     pub(crate) fn turned(&self, from: [usize; 3], signs: [f64; 3], by: [f64; 3]) -> Self {
         let ends = |axis: usize| {
             let [one, two] = [self.low, self.high].map(|corner| signs[axis] * corner[from[axis]] + by[axis]);
@@ -453,8 +455,8 @@ impl TriDexel {
         }
     }
 
-    /// The material as boxes, in three sets each of which contains it: for each block of lines of a family the parts along
-    /// them.
+    /// The material as boxes, in three sets each of which contains it: for each block of lines of a family the parts
+    /// along them.
     pub(crate) fn boxes(&self) -> Vec<Vec<[[f64; 3]; 2]>> {
         let family = |family: usize| {
             let held = &self.families[family];
@@ -532,7 +534,7 @@ impl TriDexel {
         contacts
     }
 
-    /// The same, showing each part of a line that a piece meets; those of a line in the order of the pieces.
+    /// Cuts the stock and shows each part of a line that a piece meets; those of a line in the order of the pieces.
     pub(crate) fn cut_and_show(
         &mut self,
         pieces: &[SweptPiece],

@@ -1,9 +1,9 @@
 //! The surface of a stock as triangles: surface nets.
 //!
-//! Where three lines cross there is a node, in material or not. A cell between eight nodes that are not alike has a vertex: the
-//! mean of the places at which its edges, which are parts of lines, enter or leave the material. Every such edge makes a
-//! face of the vertices of the four cells around it, so the surface is closed. On planes it is exact; edges of the material
-//! are cut off by about a third of the pitch.
+//! Where three lines cross there is a node, in material or not. A cell between eight nodes that are not alike has a
+//! vertex: the mean of the places at which its edges, which are parts of lines, enter or leave the material. Every such
+//! edge makes a face of the vertices of the four cells around it, so the surface is closed. On planes it is exact;
+//! edges of the material are cut off by about a third of the pitch.
 
 use super::stock::{FilledPart, TriDexel};
 
@@ -70,7 +70,7 @@ impl TriDexel {
         (vertices, faces)
     }
 
-    /// The same with values of the ends of its lines.
+    /// Its surface as triangles, with values of the ends of its lines.
     pub(crate) fn marked_surface(&self, ends: &EndValues) -> MarkedSurface {
         let counts = self.counts();
         let mut nets = Nets { stock: self, counts, ends, surface: MarkedSurface::default() };
@@ -108,8 +108,8 @@ impl Nets<'_> {
         Layer { solid, width }
     }
 
-    /// Where an edge leaves the material: `node` is the lower one, `inside` whether that is the one in material. With value
-    /// and name of the end there.
+    /// Where an edge leaves the material: `node` is the lower one, `inside` whether that is the one in material. With
+    /// value and name of the end there.
     fn crossing(&self, axis: usize, node: [usize; 3], inside: bool) -> (f64, f32, u32) {
         let (low, high) = (self.node(axis, node[axis]), self.node(axis, node[axis] + 1));
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);

@@ -1,8 +1,8 @@
 //! Where a line enters the space that a moving tool sweeps: certified, eight lines at a time.
 //!
 //! A [`SweptPiece`] moves the tip evenly along a straight line and turns the axis along the arc between two vectors,
-//! `a(s) = (a0 + s Δa) / |a0 + s Δa|`, for `s` in \[0, 1\]. With `f` the distance function of the [`Profile`], the sweep is
-//! where `g(z) = min over s of f(z, s)` is not above zero, `z` being the coordinate along the line.
+//! `a(s) = (a0 + s Δa) / |a0 + s Δa|`, for `s` in \[0, 1\]. With `f` the distance function of the [`Profile`], the
+//! sweep is where `g(z) = min over s of f(z, s)` is not above zero, `z` being the coordinate along the line.
 //!
 //! # The least distance
 //! Seen from the tool a point moves by `q(s)`, and with the rate of the axis `θ' <= 2 tan(θ/2) = k`,
@@ -11,9 +11,10 @@
 //! |q''| <= 2 k (|z'| + |ΔP|) + (k² + k³) r         r: distance of the point from the tip
 //! ```
 //!
-//! `f` is convex in the frame of the tool and changes by no more than the distance. So on an interval of `s`, of width `w`,
-//! `f + c (s - s1)(s - s2)` is convex, `2 c` being that bound with `z' = 0`: tangents at both ends meet at a lower bound of
-//! `f`. Of an interval that is divided, one half is followed, and the bound of the other one is kept: it counts as well.
+//! `f` is convex in the frame of the tool and changes by no more than the distance. So on an interval of `s`, of width
+//! `w`, `f + c (s - s1)(s - s2)` is convex, `2 c` being that bound with `z' = 0`: tangents at both ends meet at a lower
+//! bound of `f`. Of an interval that is divided, one half is followed, and the bound of the other one is kept: it
+//! counts as well.
 //!
 //! # The step along the line
 //! On the interval the tangent planes at both ends, mixed so that `s` drops out, give for every `z`
@@ -22,13 +23,13 @@
 //! g(z + t) >= low + slope t - k w |t|
 //! ```
 //!
-//! with the slopes along `z` mixed likewise. The smallest `t` at which one of the intervals permits `g = 0` is a step that
-//! never passes the sweep. It ends where `g` is below half the tolerance.
+//! with the slopes along `z` mixed likewise. The smallest `t` at which one of the intervals permits `g = 0` is a step
+//! that never passes the sweep. It ends where `g` is below half the tolerance.
 //!
 //! # Between the ends
-//! From both sides a line enters at `z1 (s1)` and `z2 (s2)`. Along the straight path between the two in `(s, z)` the same
-//! bound limits how far `f` rises: where it might rise above the tolerance, it is evaluated, and where it does, or where the
-//! search above has not come to an end, the piece is divided in the middle.
+//! From both sides a line enters at `z1 (s1)` and `z2 (s2)`. Along the straight path between the two in `(s, z)` the
+//! same bound limits how far `f` rises: where it might rise above the tolerance, it is evaluated, and where it does, or
+//! where the search above has not come to an end, the piece is divided in the middle.
 
 use super::profile::Profile;
 use crate::kinematics::Pose;
@@ -54,7 +55,8 @@ const SLACK: f64 = 0.2;
 /// Halvings of a piece.
 const MOST_HALVINGS: u32 = 20;
 
-/// A motion of one convex piece of a tool. The coordinates are those of the workpiece, or two across and one along a line.
+/// A motion of one convex piece of a tool. The coordinates are those of the workpiece, or two across and one along a
+/// line.
 #[derive(Debug, Clone, Copy)]
 pub struct SweptPiece {
     /// Tip at the start.
@@ -82,8 +84,8 @@ fn along(a: &[f64; 3], b: &[f64; 3], share: f64) -> [f64; 3] {
 }
 
 impl SweptPiece {
-    /// The motion between two poses: the tip evenly along a straight line, the axis on the arc between both, which must not
-    /// be longer than [`LARGEST_TURN`]. `profile` is the index of its shape; `id` is stated where it cuts.
+    /// The motion between two poses: the tip evenly along a straight line, the axis on the arc between both, which must
+    /// not be longer than [`LARGEST_TURN`]. `profile` is the index of its shape; `id` is stated where it cuts.
     #[must_use]
     pub fn new(from: &Pose, to: &Pose, profile: u32, id: u32) -> Self {
         let turn = to.axis.into_inner() - from.axis.into_inner();
@@ -101,13 +103,13 @@ impl SweptPiece {
         }
     }
 
-    /// The same for a tool that is larger on all sides by a distance, or smaller, mm.
+    /// This motion of a tool that is larger on all sides by a distance, or smaller, mm.
     #[must_use]
     pub fn grown(self, by_mm: f64) -> Self {
         Self { grow: by_mm, ..self }
     }
 
-    /// The same, removing nothing.
+    /// This motion, removing nothing.
     #[must_use]
     pub fn touching(self) -> Self {
         Self { test_only: true, ..self }
@@ -131,7 +133,7 @@ impl SweptPiece {
         (along(&self.tip, &self.travel, share), axis.map(|component| component / size))
     }
 
-    /// The same with the coordinates across a line first, and that along it last.
+    /// This motion with the coordinates across a line first, and that along it last.
     pub(super) fn permuted(&self, line: usize) -> Self {
         let order = |v: &[f64; 3]| [v[(line + 1) % 3], v[(line + 2) % 3], v[line]];
         let Self { tip, travel, axis, turn, .. } = self;
@@ -451,8 +453,8 @@ impl<'a> SweptSpace<'a> {
         entries
     }
 
-    /// Lower bound of an interval, and how far along the line it is above zero. `left`, `right`: value, slope by `s`, slope
-    /// along the line.
+    /// Lower bound of an interval, and how far along the line it is above zero. `left`, `right`: value, slope by `s`,
+    /// slope along the line.
     #[inline(always)]
     fn interval<const TURNS: bool>(
         &self,

@@ -59,8 +59,8 @@ fn sampled(piece: &SweptPiece, profile: &Profile, point: [f64; 3], places: u32) 
     least
 }
 
-/// Compares what is covered of one line with samples: no point of it is farther outside than the tolerance, and no other
-/// point is farther inside.
+/// Compares what is covered of one line with samples: no point of it is farther outside than the tolerance, and no
+/// other point is farther inside.
 fn compare_line(piece: &SweptPiece, profile: &Profile, line: [f64; 2], places: u32, about: &str) -> (f64, f64, usize) {
     let (low, high) = (-30.0, 30.0);
     let mut lines = EightLines {

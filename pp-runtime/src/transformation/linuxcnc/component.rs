@@ -1,7 +1,7 @@
 //! The component: C around the kinematics, compiled by `halcompile`.
 //!
-//! Only `hal_pin_*_newf` makes pins, which LinuxCNC 2.9 and later have. Pins are read when the kinematics are switched: a value
-//! that changes under tip control would be a step of the joints.
+//! Only `hal_pin_*_newf` makes pins, which LinuxCNC 2.9 and later have. Pins are read when the kinematics are switched:
+//! a value that changes under tip control would be a step of the joints.
 
 use std::fmt::Write as _;
 

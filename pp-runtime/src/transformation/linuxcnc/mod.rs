@@ -1,12 +1,13 @@
 //! A kinematics module of LinuxCNC for one machine, and a simulated machine that runs it.
 //!
-//! The pose of LinuxCNC has the rotary axes as angles, so its inverse is [`linear_axes`](crate::kinematics::Machine::linear_axes) and its
-//! forward kinematics the tip: no branch, no pole. Type 0 has the joints as axes, type 1 is tip control. LinuxCNC adds work
-//! offset and tool length to the words of a program in both types; the module takes them away again, so that its formulas
-//! see what the post sees: words that are zero with the tip at the part zero.
+//! The pose of LinuxCNC has the rotary axes as angles, so its inverse is
+//! [`linear_axes`](crate::kinematics::Machine::linear_axes) and its forward kinematics the tip: no branch, no pole.
+//! Type 0 has the joints as axes, type 1 is tip control. LinuxCNC adds work offset and tool length to the words of a
+//! program in both types; the module takes them away again, so that its formulas see what the post sees: words that are
+//! zero with the tip at the part zero.
 //!
-//! Sources: kinematics.h and control.c (`handle_kinematicsSwitch`) of LinuxCNC 2.9 and 2.10, its documentation of switchable
-//! kinematics, and its single-file components `millturn` and `xyzacb_trsrn` for the order of the calls.
+//! Sources: kinematics.h and control.c (`handle_kinematicsSwitch`) of LinuxCNC 2.9 and 2.10, its documentation of
+//! switchable kinematics, and its single-file components `millturn` and `xyzacb_trsrn` for the order of the calls.
 //!
 //! ```
 //! use pp_runtime::config::Config;
@@ -43,8 +44,8 @@ pub struct ModuleFile {
     pub text: String,
 }
 
-/// The module of a machine and its simulated machine: component, INI and HAL file, tool table, subroutines of the switch
-/// codes, and a README.
+/// The module of a machine and its simulated machine: component, INI and HAL file, tool table, subroutines of the
+/// switch codes, and a README.
 ///
 /// Lengths in the files are mm, angles degrees.
 ///
@@ -150,8 +151,8 @@ impl<'a> Module<'a> {
 /// HAL_NAME_LEN of LinuxCNC.
 const LONGEST_PIN: usize = 47;
 
-/// The axis along the tool. G43 adds the tool length to the words of an axis, so one axis has to move the tool along itself,
-/// in its positive direction.
+/// The axis along the tool. G43 adds the tool length to the words of an axis, so one axis has to move the tool along
+/// itself, in its positive direction.
 fn along_the_tool(machine: &dyn AnyMachine) -> Result<char, NotExpressible> {
     let tool = machine.tool_axis();
     let parallel = |index: usize| {

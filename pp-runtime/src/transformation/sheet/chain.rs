@@ -1,4 +1,5 @@
-//! The chain as the five-axis model of a control sees it: X, Y and Z along the coordinates, and at most two rotary axes.
+//! The chain as the five-axis model of a control sees it: X, Y and Z along the coordinates, and at most two rotary
+//! axes.
 
 use nalgebra::Vector3;
 
@@ -68,8 +69,8 @@ impl Arrangement {
     /// The rotary axes of a machine.
     ///
     /// # Errors
-    /// The model has no rotary axis, or not X, Y and Z as a right-handed system next to the bed, or a held axis is not at
-    /// zero. `model` is the name of the transformation.
+    /// The model has no rotary axis, or not X, Y and Z as a right-handed system next to the bed, or a held axis is not
+    /// at zero. `model` is the name of the transformation.
     pub(super) fn of(machine: &dyn AnyMachine, model: &str) -> Result<Self, NotExpressible> {
         held_axes_are_zero(machine)?;
         linear_axes_are_coordinates(machine, model)?;
@@ -91,7 +92,8 @@ impl Arrangement {
         }
     }
 
-    /// The first and the second rotary axis of the transformation: next to the bed first, of a head and a table the head.
+    /// The first and the second rotary axis of the transformation: next to the bed first, of a head and a table the
+    /// head.
     pub(super) fn axes(&self) -> (&RotaryAtZero, Option<&RotaryAtZero>) {
         match self {
             Self::Head(first, second) | Self::Table(first, second) => (first, second.as_ref()),

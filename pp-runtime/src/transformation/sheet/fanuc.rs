@@ -1,15 +1,15 @@
 //! Fanuc: parameters of five-axis machining, which tool center point control (G43.4) and tilted planes (G68.2) use.
 //!
-//! Points with all axes at zero: A on the first, B on the second rotary axis of the table; D on the tool axis, tool length and
-//! tool holder offset (19666) above the tip; E on the rotary axis next to the tool, F on that next to the bed. 19700 to 19702
-//! are A in machine coordinates, 19703 to 19705 the vector from A to B, 19709 to 19711 that from D to E, 19712 to 19714 that
-//! from E to F.
+//! Points with all axes at zero: A on the first, B on the second rotary axis of the table; D on the tool axis, tool
+//! length and tool holder offset (19666) above the tip; E on the rotary axis next to the tool, F on that next to the
+//! bed. 19700 to 19702 are A in machine coordinates, 19703 to 19705 the vector from A to B, 19709 to 19711 that from D
+//! to E, 19712 to 19714 that from E to F.
 //!
-//! Sources: Additional Manual A-79348E (Series 30i, 01/2004): p. 70 (19665), p. 72 (19680: types, master and slave), p. 75
-//! (19684, 19685: directions, hypothetical axes), p. 78 (19696), p. 82 (19703; A in a figure in machine coordinates), p. 83
-//! (19709; D and E), p. 84 (19712; E and F). Connection Manual B-63943EN-1/02 p. 1099 repeats the last. A-78712E p. 61-62
-//! (16i, 18i) has D, E and F, too. A-79976E p. 5 names 19697. The codes of 19682, 19687 and 19697 are from general
-//! knowledge: their pages (A-79348E p. 73, 74 and 79) were not found in public.
+//! Sources: Additional Manual A-79348E (Series 30i, 01/2004): p. 70 (19665), p. 72 (19680: types, master and slave), p.
+//! 75 (19684, 19685: directions, hypothetical axes), p. 78 (19696), p. 82 (19703; A in a figure in machine
+//! coordinates), p. 83 (19709; D and E), p. 84 (19712; E and F). Connection Manual B-63943EN-1/02 p. 1099 repeats the
+//! last. A-78712E p. 61-62 (16i, 18i) has D, E and F, too. A-79976E p. 5 names 19697. The codes of 19682, 19687 and
+//! 19697 are from general knowledge: their pages (A-79348E p. 73, 74 and 79) were not found in public.
 
 use nalgebra::Vector3;
 

@@ -1,9 +1,9 @@
 //! Haas: the settings of the machine rotary zero point, which G234 (TCPC) and G254 (DWO) use.
 //!
-//! They are the positions of the linear axes at which the spindle is over the centre lines of a tilting rotary table; axes and
-//! directions are fixed in the control. Settings 255 to 257 have one point of B in X and Z and of C in Y, settings 300 to 305
-//! of newer software a point of each axis. All of it is from general knowledge: no public page of the manual was found, so
-//! every row is marked unverified.
+//! They are the positions of the linear axes at which the spindle is over the centre lines of a tilting rotary table;
+//! axes and directions are fixed in the control. Settings 255 to 257 have one point of B in X and Z and of C in Y,
+//! settings 300 to 305 of newer software a point of each axis. All of it is from general knowledge: no public page of
+//! the manual was found, so every row is marked unverified.
 
 use crate::config::Config;
 use crate::kinematics::AnyMachine;

@@ -1,14 +1,15 @@
 //! Heidenhain: the kinematics description of the machine builder, which M128, TCPM and PLANE use.
 //!
-//! The description of the iTNC 530 is a table of steps from the tool reference point to the workpiece: `Trans` shifts or
-//! rotates the coordinate system, `MachAxis` is the place of an axis, `MachBase` that of the bed.
+//! The description of the iTNC 530 is a table of steps from the tool reference point to the workpiece: `Trans` shifts
+//! or rotates the coordinate system, `MachAxis` is the place of an axis, `MachBase` that of the bed.
 //!
-//! Sources: Technical Manual iTNC 530 HSCI, 07/2013: p. 722 (the keys, the start at the tool reference point), p. 670 (example
-//! of a machine with B in the head and C in the table: `Trans X 0.016`, `Trans Z 250.051`, `MachAxis B`, Y, X, `MachBase`, Z,
-//! `Trans X -298.923`, `Trans Y 200.172`, `MachAxis C`). The sign of a shift is read from that example: the centre line of a
-//! head is above the tool reference point, and its Z is positive, so a shift is the vector from the step before to the centre
-//! line. Technical Manual MANUALplus 620, 01/2012, p. 749: an axis that counts the other way needs a coordinate system that
-//! is rotated. That is all that is public: signs of rotations and of shifts of a table are marked unverified.
+//! Sources: Technical Manual iTNC 530 HSCI, 07/2013: p. 722 (the keys, the start at the tool reference point), p. 670
+//! (example of a machine with B in the head and C in the table: `Trans X 0.016`, `Trans Z 250.051`, `MachAxis B`, Y, X,
+//! `MachBase`, Z, `Trans X -298.923`, `Trans Y 200.172`, `MachAxis C`). The sign of a shift is read from that example:
+//! the centre line of a head is above the tool reference point, and its Z is positive, so a shift is the vector from
+//! the step before to the centre line. Technical Manual MANUALplus 620, 01/2012, p. 749: an axis that counts the other
+//! way needs a coordinate system that is rotated. That is all that is public: signs of rotations and of shifts of a
+//! table are marked unverified.
 
 use nalgebra::Vector3;
 
@@ -204,7 +205,8 @@ fn axis(step: &DescriptionStep<'_>) -> Result<Vec<Group>, NotExpressible> {
     ])
 }
 
-/// Coordinate and angle of the rotation that brings the coordinate `own` to a direction; `None` if it takes more than one.
+/// Coordinate and angle of the rotation that brings the coordinate `own` to a direction; `None` if it takes more than
+/// one.
 fn inclination(direction: &Vector3<f64>, own: usize) -> Option<(usize, f64)> {
     let (next, last) = ((own + 1) % 3, (own + 2) % 3);
     let small = |component: usize| direction[component].abs() < 1e-12;

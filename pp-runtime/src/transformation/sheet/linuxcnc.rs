@@ -1,9 +1,9 @@
 //! LinuxCNC: pins and INI lines of its own kinematics modules, where one of them is the machine.
 //!
 //! The modules with tip control that LinuxCNC brings for five axes and that have been compared: two tilting tables
-//! (`xyzac-trt-kins`, `xyzbc-trt-kins`), two rotary tables (`xyzab_tdr_kins`) and a fork head (`5axiskins`). Their directions are
-//! fixed: where an axis counts the other way, the refusal has the signs and the mirrored travel of the declaration that the
-//! module can run. Any other chain gets its own module, [`crate::transformation::linuxcnc`].
+//! (`xyzac-trt-kins`, `xyzbc-trt-kins`), two rotary tables (`xyzab_tdr_kins`) and a fork head (`5axiskins`). Their
+//! directions are fixed: where an axis counts the other way, the refusal has the signs and the mirrored travel of the
+//! declaration that the module can run. Any other chain gets its own module, [`crate::transformation::linuxcnc`].
 //!
 //! A module counts from the machine zero, and its tip has the tool length in Z, as LinuxCNC adds it to the words.
 
@@ -256,8 +256,8 @@ fn lines(module: &KinematicsModule) -> Vec<Group> {
     ]
 }
 
-/// Pins of a tilting table: the centre line of C, and from there that of the axis that tilts it. `across`: pin and component of
-/// that distance, and the pin that the module does not use.
+/// Pins of a tilting table: the centre line of C, and from there that of the axis that tilts it. `across`: pin and
+/// component of that distance, and the pin that the module does not use.
 fn tilting_table(
     config: &Config,
     tilt: &RotaryAtZero,

@@ -56,9 +56,9 @@ impl SheetControl {
 
 /// The compare sheet of a machine as text, lines of at most 96 characters.
 ///
-/// `machine` has the dimensions and the part origin of `config`. Lengths are printed in mm with four decimals, angles in
-/// degrees, unit vectors with seven decimals. A value that needs a key of `config` which is not given has the name of that
-/// key in its place.
+/// `machine` has the dimensions and the part origin of `config`. Lengths are printed in mm with four decimals, angles
+/// in degrees, unit vectors with seven decimals. A value that needs a key of `config` which is not given has the name
+/// of that key in its place.
 ///
 /// # Errors
 /// The reason why the model of the control cannot express the chain.

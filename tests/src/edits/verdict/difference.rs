@@ -11,7 +11,8 @@ use crate::foreign::{Effect, Feed};
 /// Largest change of the tool axis in a rotation about it, near the pole: the control may choose such rotations.
 const NEARLY: f64 = 1e-3;
 
-/// Sine of the angle from the pole within which a control may rotate an axis by much for a small change of the tool axis.
+/// Sine of the angle from the pole within which a control may rotate an axis by much for a small change of the tool
+/// axis.
 const NEAR_POLE: f64 = 0.05;
 
 /// Difference between two blocks.
@@ -545,7 +546,8 @@ pub(super) fn state_difference(was: &Event<'_>, is: &Event<'_>, allowed: Allowed
     ])
 }
 
-/// Whether C alone rotates the part about the tool, as far as words in a frame that does not rotate with the table show.
+/// Whether C alone rotates the part about the tool, as far as words in a frame that does not rotate with the table
+/// show.
 fn rotates_at_pole(event: &Event<'_>, allowed: Allowed) -> bool {
     let (from, to) = (&event.before.position, &event.block.state.position);
     let stays = |letter: char| from.get(letter) == to.get(letter);

@@ -32,8 +32,8 @@ pub struct Allowed {
     pub wraps: bool,
     /// The sign of a rotary word may be the direction of its rotation.
     pub signs_turn: bool,
-    /// Where words under tip control are coordinates of the tip on the workpiece: the tool axis, which decides whether a
-    /// rotary axis is free.
+    /// Where words under tip control are coordinates of the tip on the workpiece: the tool axis, which decides whether
+    /// a rotary axis is free.
     pub tool_axis: Option<ToolAxis>,
     /// Largest speeds of axes hold back F.
     pub axis_speeds: bool,

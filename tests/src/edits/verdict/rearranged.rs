@@ -161,8 +161,8 @@ pub(super) fn rearranged(was: &[Event<'_>], is: &[Event<'_>], index: usize, allo
     None
 }
 
-/// Events from just before an index on, without rapids that end on the line of the next one or over the next hole, rotations at the
-/// pole, and motions within tolerance.
+/// Events from just before an index on, without rapids that end on the line of the next one or over the next hole,
+/// rotations at the pole, and motions within tolerance.
 fn needed<'a>(events: &[Event<'a>], index: usize, allowed: Allowed) -> Vec<Event<'a>> {
     let on_line = |at: usize| events[at].block.effect == Effect::Rapid && on_the_line(events, at, allowed);
     let is_needed = |&at: &usize| {
@@ -188,7 +188,8 @@ fn is_way_out_before_stop(events: &[Event<'_>], index: usize) -> bool {
         && retract.is_some_and(|retract| retract.block.words.letters().eq(moved))
 }
 
-/// Whether axes go to machine coordinates to which they go once more after the same cut, and nothing but such motions is between.
+/// Whether axes go to machine coordinates to which they go once more after the same cut, and nothing but such motions
+/// is between.
 fn is_parked_twice(events: &[Event<'_>], index: usize) -> bool {
     let idle = |event: &&Event<'_>| {
         let rotates = event.block.effect == Effect::Rapid && event.block.words.letters().all(is_rotary);
@@ -297,7 +298,8 @@ fn are_turns_of_one_helix(was: &[Event<'_>], is: &[Event<'_>], allowed: Allowed)
         && ends_as(&was[1], &is[1], allowed)
 }
 
-/// Whether a tool change brings the tool that is in the spindle, or is followed by another, before anything but retracts.
+/// Whether a tool change brings the tool that is in the spindle, or is followed by another, before anything but
+/// retracts.
 fn is_extra_tool_change(events: &[Event<'_>], index: usize) -> bool {
     let again =
         |event: &Event<'_>| matches!(event.block.effect, Effect::ToolChange(tool) if event.before.tool == Some(tool));
@@ -348,8 +350,8 @@ fn is_parked_in_another_order(was: &[Event<'_>], is: &[Event<'_>], index: usize)
     })
 }
 
-/// Whether a rapid ends over the next hole, and the cycle alone would bring the tool there above its reference level, or along the
-/// hole.
+/// Whether a rapid ends over the next hole, and the cycle alone would bring the tool there above its reference level,
+/// or along the hole.
 fn is_over_next_hole(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
     let Some([rapid, next]) = events.get(index..index + 2) else { return false };
     let Effect::Hole(hole) = next.block.effect else { return false };
@@ -404,7 +406,8 @@ fn are_ends_on_one_line(was: &[Event<'_>], is: &[Event<'_>], allowed: Allowed) -
     alike && [first, second] == ends && shares.iter().all(Option::is_some)
 }
 
-/// Whether a rapid begins on the line of a rapid near it, and ends on that rapid; or a feed motion on one at the same feed.
+/// Whether a rapid begins on the line of a rapid near it, and ends on that rapid; or a feed motion on one at the same
+/// feed.
 fn is_to_and_fro(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
     let this = &events[index];
     let [from, here] = [&this.before.position, &this.block.state.position];
@@ -435,8 +438,8 @@ fn is_to_and_fro(events: &[Event<'_>], index: usize, allowed: Allowed) -> bool {
         })
 }
 
-/// Share of a straight motion at which a position is, before its start and beyond its end as well; `None` if it is not on
-/// its line. The rotary axes need not be even.
+/// Share of a straight motion at which a position is, before its start and beyond its end as well; `None` if it is not
+/// on its line. The rotary axes need not be even.
 fn share_on_line(from: &Axes, here: &Axes, to: &Axes, allowed: Allowed) -> Option<f64> {
     let mut ratio = 0.0;
     let mut longest = 0.0_f64;

@@ -1,8 +1,8 @@
 //! Order of execution: variables, conditions, loops, jumps and subprograms of the five controls.
 //!
 //! The lines of a program are executed by a machine with variables and a next line. A block whose words hold values
-//! becomes the block with numbers; the interpreter reads it as any other. A condition on an unknown value is handed on as
-//! it is: it belongs to a guard, or is refused there.
+//! becomes the block with numbers; the interpreter reads it as any other. A condition on an unknown value is handed on
+//! as it is: it belongs to a guard, or is refused there.
 //!
 //! Unknown are variables that the program has not set, also where a control would read zero or an empty value.
 

@@ -1,7 +1,7 @@
 //! Text into tokens: one lexer a family, which knows how words look and nothing of what they mean.
 //!
-//! A lexer accepts what its control accepts (lower case, blanks inside a block, leading zeros); [`tidy`] refuses text that
-//! a control would run and no program of ours contains.
+//! A lexer accepts what its control accepts (lower case, blanks inside a block, leading zeros); [`tidy`] refuses text
+//! that a control would run and no program of ours contains.
 
 mod heidenhain;
 mod iso;

@@ -158,7 +158,8 @@ fn complete(control: Control, command: &Command) -> Result<(), String> {
     Ok(())
 }
 
-/// Whether a block of LinuxCNC may move nothing: it selects a tool, or holds codes alone, none of which waits for a motion.
+/// Whether a block of LinuxCNC may move nothing: it selects a tool, or holds codes alone, none of which waits for a
+/// motion.
 fn is_mode(command: &Command) -> bool {
     let waits = |meaning: &Meaning| {
         matches!(meaning, Meaning::Motion(_) | Meaning::Cycle(_) | Meaning::FeedMode(FeedMode::InverseTime))

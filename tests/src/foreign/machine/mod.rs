@@ -1,8 +1,9 @@
 //! One state machine for all controls: commands into effects and state.
 //!
 //! Order within a block: unit, feed mode, F, S, T, tool change, spindle, coolant, plane, compensation, length, offset,
-//! distance mode, tilted plane, tip control, path; then the one thing that the block does. Modes are in `modes`, motions in
-//! `motion`, arcs in `arc`, holes in `hole`, and `careful` refuses what a control would run and nobody should.
+//! distance mode, tilted plane, tip control, path; then the one thing that the block does. Modes are in `modes`,
+//! motions in `motion`, arcs in `arc`, holes in `hole`, and `careful` refuses what a control would run and nobody
+//! should.
 
 mod arc;
 mod careful;

@@ -317,7 +317,8 @@ impl Machine {
     }
 }
 
-/// Each form has places of its own; a form without numbers switches smoothing off, or back to the setting of the control.
+/// Each form has places of its own; a form without numbers switches smoothing off, or back to the setting of the
+/// control.
 fn smooth(state: &mut State, command: &mut Command) {
     let places = state.smoothing.get_or_insert_default();
     let mut any = false;

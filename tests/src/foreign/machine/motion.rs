@@ -30,7 +30,8 @@ impl Machine {
             return hole::rigid_tap(self, command).map(Some);
         }
         let call = meanings.contains(&Meaning::Call);
-        // A cycle that is called where it is defined (Siemens), or the one defined before, at every position or at this.
+        // A cycle that is called where it is defined (Siemens), or the one defined before, at every position or at
+        // this.
         let modal = self.state.cycle.filter(|_| self.control == Control::Siemens || call);
         let called = command.cycle.take().or(modal);
         let arcs = matches!(self.state.motion, Some(MotionMode::Clockwise | MotionMode::CounterClockwise));
@@ -138,7 +139,8 @@ impl Machine {
         from.map(|from| from + value).ok_or_else(|| format!("{letter} moves by a distance from an unknown position"))
     }
 
-    /// G28, G30: the named axes pass the position of the block and go to their reference points; without a name, all do.
+    /// G28, G30: the named axes pass the position of the block and go to their reference points; without a name, all
+    /// do.
     fn home(&mut self, command: &mut Command) -> Result<Effect, String> {
         let mut passed = Axes::default();
         for letter in LETTERS {
@@ -175,8 +177,8 @@ impl Machine {
         Ok(Effect::Machine)
     }
 
-    /// After a motion in program coordinates the machine coordinates of linear axes are unknown, and those of rotary axes
-    /// that have a position.
+    /// After a motion in program coordinates the machine coordinates of linear axes are unknown, and those of rotary
+    /// axes that have a position.
     fn forget_machine(&mut self) {
         let position = self.state.position;
         self.state.machine.retain(|letter| !position.contains(letter));

@@ -37,8 +37,8 @@ pub(super) fn fixed([a, b, c]: [f64; 3]) -> Matrix {
     product_of([about(2, c), about(1, b), about(0, a)])
 }
 
-/// CYCLE800 of Siemens axis by axis: two bits of the mode name the axis of each angle (1 X, 2 Y, 3 Z), the first angle in
-/// the lowest; each rotation is about the axes as the rotations before it have left them.
+/// CYCLE800 of Siemens axis by axis: two bits of the mode name the axis of each angle (1 X, 2 Y, 3 Z), the first angle
+/// in the lowest; each rotation is about the axes as the rotations before it have left them.
 pub(super) fn axis_by_axis(mode: u32, angles: [f64; 3]) -> Option<Matrix> {
     let axes = [mode & 3, mode >> 2 & 3, mode >> 4 & 3];
     let mut sorted = axes;

@@ -1,8 +1,8 @@
 //! Statements of a Heidenhain conversational program.
 //!
-//! A statement begins with what it is (L, CC, C, CP, CR, TOOL CALL, CYCL DEF ..). FMAX, M codes and the kind of motion hold
-//! for their block alone; words, F and the radius compensation stay in force. The tool axis of TOOL CALL is the normal of
-//! the plane.
+//! A statement begins with what it is (L, CC, C, CP, CR, TOOL CALL, CYCL DEF ..). FMAX, M codes and the kind of motion
+//! hold for their block alone; words, F and the radius compensation stay in force. The tool axis of TOOL CALL is the
+//! normal of the plane.
 
 use super::super::lexer::{Number, Token};
 use super::super::meaning::{Address, Command, Meaning, NumberCounting, Supply};

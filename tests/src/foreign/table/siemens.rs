@@ -185,8 +185,8 @@ fn swivel(number: impl Fn(usize) -> Option<f64>) -> Option<TiltedPlane> {
     Some(TiltedPlane { rotation, origin, oriented: !zero(direction), solution: direction.round() as i8 })
 }
 
-/// CYCLE81 to CYCLE85 (RTP, RFP, SDIS, DP, DPR, ..): return level, surface, clearance, bottom. A depth by DPR is unknown
-/// here.
+/// CYCLE81 to CYCLE85 (RTP, RFP, SDIS, DP, DPR, ..): return level, surface, clearance, bottom. A depth by DPR is
+/// unknown here.
 fn cycle(code: &str, number: impl Fn(usize) -> Option<f64>, state: &State) -> Option<Cycle> {
     let (back_to, surface, bottom) = (number(0)?, number(1)?, number(3)?);
     let reference = surface + number(2)?;
@@ -195,7 +195,8 @@ fn cycle(code: &str, number: impl Fn(usize) -> Option<f64>, state: &State) -> Op
         "81" if number(5).is_none() => CycleKind::Drill,
         "82" => CycleKind::Drill,
         "83" => {
-            // FDEP, FDPR, DAM, DTB, DTS, FRF, VARI, AXN, MDEP, VRT, DTD: no step that grows smaller, a wait at the bottom.
+            // FDEP, FDPR, DAM, DTB, DTS, FRF, VARI, AXN, MDEP, VRT, DTD: no step that grows smaller, a wait at the
+            // bottom.
             if number(5).is_some() || number(7)?.abs() > 1e-9 {
                 return None;
             }

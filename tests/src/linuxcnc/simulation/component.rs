@@ -1,7 +1,8 @@
-//! Kinematics of a machine that LinuxCNC has no module for: `table.c`, compiled for that machine, or a generated module.
+//! Kinematics of a machine that LinuxCNC has no module for: `table.c`, compiled for that machine, or a generated
+//! module.
 //!
-//! LinuxCNC loads modules from its own folder only. In a mount namespace of its own it sees the component there, beside its
-//! own modules; no other program sees it.
+//! LinuxCNC loads modules from its own folder only. In a mount namespace of its own it sees the component there, beside
+//! its own modules; no other program sees it.
 
 use std::fs;
 use std::io;
@@ -59,7 +60,8 @@ pub fn can_be_loaded() -> bool {
     false
 }
 
-/// Arguments of `unshare` for a mount namespace; who is not root has the right to mount in a user namespace of their own.
+/// Arguments of `unshare` for a mount namespace; who is not root has the right to mount in a user namespace of their
+/// own.
 fn namespace() -> Vec<&'static str> {
     match super::is_root() {
         Ok(true) => vec!["--mount"],

@@ -4,7 +4,8 @@
 //! documentation of switchable kinematics. Three analog outputs belong to the harness: 0 counts marks, 3 selects the
 //! kinematics, 2 is never read. Digital input 0 is on when the joints have settled.
 //!
-//! A generated module comes with its own configuration. Only its screen, its accelerations and its tool table are replaced.
+//! A generated module comes with its own configuration. Only its screen, its accelerations and its tool table are
+//! replaced.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -16,8 +17,8 @@ use pp_runtime::transformation::linuxcnc::ModuleFile;
 use super::super::module;
 use super::component::{self, RotaryTable};
 
-/// Cycle of the servo thread, s: a quarter of the usual one. Each block waits for some cycles, so a program takes a quarter of the
-/// time; the task has the same cycle, so that it follows.
+/// Cycle of the servo thread, s: a quarter of the usual one. Each block waits for some cycles, so a program takes a
+/// quarter of the time; the task has the same cycle, so that it follows.
 pub const SERVO_PERIOD: f64 = 0.25e-3;
 
 /// Speed of every axis, mm/s and deg/s: high, so that a test need not wait.

@@ -192,7 +192,8 @@ impl Drop for Simulation {
 
 /// Waits until no other LinuxCNC runs, and takes the lock that keeps other tests from starting one.
 ///
-/// One that was killed leaves its lock file and shared memory. By the file the next one knows that it has to remove both.
+/// One that was killed leaves its lock file and shared memory. By the file the next one knows that it has to remove
+/// both.
 fn alone() -> io::Result<File> {
     let path = std::env::temp_dir().join("linuxcnc-simulation.lock");
     // Another user may have created it.

@@ -1,7 +1,8 @@
 //! Faults that are planted in a right job, and found at their block: words, tools, fixtures, set-up, machine.
 //!
-//! The part is a block with two faces at 45 degrees, milled with the end of a mill. It is posted in positions of the axes, as
-//! it is right or with a faulty configuration, and simulated with the right one; or its program or its shop is changed.
+//! The part is a block with two faces at 45 degrees, milled with the end of a mill. It is posted in positions of the
+//! axes, as it is right or with a faulty configuration, and simulated with the right one; or its program or its shop is
+//! changed.
 
 use std::fs;
 use std::path::PathBuf;

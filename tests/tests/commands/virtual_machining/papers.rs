@@ -1,5 +1,5 @@
-//! The parts of the papers on their machines, with the configurations of `examples/virtual`: no collision, gouges within the
-//! tolerances, rest material within the scallops.
+//! The parts of the papers on their machines, with the configurations of `examples/virtual`: no collision, gouges
+//! within the tolerances, rest material within the scallops.
 
 use std::fs::{self, File};
 use std::path::Path;
@@ -48,8 +48,8 @@ fn simulated(machine: &str, cl: &str, config: &str) -> Value {
     json
 }
 
-/// Height of the scallop between two rows of a ball, mm: `curvature` is that of the surface across the rows, positive where it
-/// is convex.
+/// Height of the scallop between two rows of a ball, mm: `curvature` is that of the surface across the rows, positive
+/// where it is convex.
 fn scallop(step: f64, ball: f64, curvature: f64) -> f64 {
     step * step / 8.0 * (1.0 / ball + curvature)
 }
@@ -59,8 +59,8 @@ fn sagitta(step: f64, radius: f64) -> f64 {
     step * step / (8.0 * radius)
 }
 
-/// Compares the largest gouge and the largest rest material with what they may be at most: `intol`: of the generator of the CL
-/// data, `left`: scallop or chord that the CL data leaves.
+/// Compares the largest gouge and the largest rest material with what they may be at most: `intol`: of the generator of
+/// the CL data, `left`: scallop or chord that the CL data leaves.
 fn assert_deviations(json: &Value, intol: f64, left: f64, about: &str) {
     let design = &json["design"];
     let number = |key: &str| design[key].as_f64().expect("a number");
@@ -103,7 +103,8 @@ fn the_bowl_on_the_dmu_and_on_lola() {
 #[test]
 fn the_trough_and_the_spiral_groove_on_multiprodesk() {
     let json = simulated("multiprodesk", "concave_4axis.cls", "multiprodesk-trough");
-    // Rows of 2.5 mm along X, where the surface has a radius of 200 mm and a slope of 40/200; the ball leans by that slope.
+    // Rows of 2.5 mm along X, where the surface has a radius of 200 mm and a slope of 40/200; the ball leans by that
+    // slope.
     let left = scallop(2.5 * 1.02, 4.0, -1.0 / 200.0) + sagitta(2.0 * 1.26, 46.0);
     assert_deviations(&json, 0.0, left, "trough");
     let json = simulated("multiprodesk", "spiral_groove.cls", "multiprodesk-groove");

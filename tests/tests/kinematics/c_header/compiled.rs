@@ -38,8 +38,8 @@ impl Answer {
     }
 }
 
-/// Reads the set-up and then poses as binary numbers; prints the number of branches, both branches with their poses, and the
-/// linear axes, as numbers too.
+/// Reads the set-up and then poses as binary numbers; prints the number of branches, both branches with their poses,
+/// and the linear axes, as numbers too.
 const MAIN: &str = r#"
 #include <stdio.h>
 

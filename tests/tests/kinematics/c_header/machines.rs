@@ -1,5 +1,5 @@
-//! Machines whose kinematics in C are compared: those of the papers and of the library, and chains of every kind that is
-//! accepted.
+//! Machines whose kinematics in C are compared: those of the papers and of the library, and chains of every kind that
+//! is accepted.
 
 /// A test of each machine; `name: { declaration };` declares one.
 macro_rules! agree {

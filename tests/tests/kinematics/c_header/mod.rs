@@ -1,8 +1,8 @@
-//! The kinematics in C agree with those in Rust: every machine here is written as a C99 header, compiled with all warnings as
-//! errors, and run on the same poses.
+//! The kinematics in C agree with those in Rust: every machine here is written as a C99 header, compiled with all
+//! warnings as errors, and run on the same poses.
 //!
-//! Poles, rims, poses just beyond reach, angles near a quarter turn and poses that are not numbers are among them. The guards
-//! of the C code are written apart from those of Rust, so a guard that one of the two lacks is found here.
+//! Poles, rims, poses just beyond reach, angles near a quarter turn and poses that are not numbers are among them. The
+//! guards of the C code are written apart from those of Rust, so a guard that one of the two lacks is found here.
 
 mod compiled;
 mod machines;

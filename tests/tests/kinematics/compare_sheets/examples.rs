@@ -1,4 +1,5 @@
-//! Worked examples of the Siemens manuals: their numbers, the sheet of the same machine, and the machine's own matrices.
+//! Worked examples of the Siemens manuals: their numbers, the sheet of the same machine, and the machine's own
+//! matrices.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use pp_runtime::kinematics::Machine;
@@ -12,16 +13,16 @@ use super::sheet;
 use super::siemens::Carrier;
 
 machine! {
-    /// W1 08/2005 p. 4-3: type P, A first, B second, `l4 = (0, 0, 15)`, the other offsets zero. The chain is not closed: the
-    /// centre lines are 15 mm below the table, which a closed chain has in `l2`.
+    /// W1 08/2005 p. 4-3: type P, A first, B second, `l4 = (0, 0, 15)`, the other offsets zero. The chain is not
+    /// closed: the centre lines are 15 mm below the table, which a closed chain has in `l2`.
     pub struct TableOfW1;
     chain: B A | X Y Z;
     d = (0, 0, -15);
     signs = { A: -, B: - };
 }
 
-/// "The rotation of the fourth offset vector about the B axis" by 45° shifts the zero point by X 10.607 and Z -4.393; with the
-/// tool of 13 mm, X10.607 Y10 Z8.607 is approached for Y10.
+/// "The rotation of the fourth offset vector about the B axis" by 45° shifts the zero point by X 10.607 and Z -4.393;
+/// with the tool of 13 mm, X10.607 Y10 Z8.607 is approached for Y10.
 #[test]
 fn the_table_of_w1_shifts_its_zero_point_as_printed() {
     let keys = "units = \"mm\"\npart_origin = [0, 0, 0]\nmachine_zero = { X = 0, Y = 0, Z = 0 }\n";
@@ -53,8 +54,9 @@ machine! {
 }
 
 machine! {
-    /// IM9 12/2017 p. 581, HEAD_2: `V1 = (0, 1, 0)`, `I2 = (0, 172, 172)`, `V2 = (0, 1, 1)`, `I3 = (0, 0, 93.8)`. The footnote of
-    /// the table has `V2Y = sin(-45)`, which contradicts it: with (0, 1, 1) both centre lines meet, at (0, 172, 265.8).
+    /// IM9 12/2017 p. 581, HEAD_2: `V1 = (0, 1, 0)`, `I2 = (0, 172, 172)`, `V2 = (0, 1, 1)`, `I3 = (0, 0, 93.8)`. The
+    /// footnote of the table has `V2Y = sin(-45)`, which contradicts it: with (0, 1, 1) both centre lines meet, at (0,
+    /// 172, 265.8).
     pub struct Head2;
     chain: | X Y Z B C;
     axes = { C: (0, 1, 1) };
@@ -111,8 +113,8 @@ fn head_2_of_im9_is_read_back() {
 }
 
 machine! {
-    /// IM9 12/2017 p. 586 (and SINUMERIK 828D 10/2015 p. 157): A and C in the table, C rotates about Z; `I2` from the reference
-    /// point of the machine to A, `I3` from A to C, `I4 = -(I2 + I3)`. The page has no numbers.
+    /// IM9 12/2017 p. 586 (and SINUMERIK 828D 10/2015 p. 157): A and C in the table, C rotates about Z; `I2` from the
+    /// reference point of the machine to A, `I3` from A to C, `I4 = -(I2 + I3)`. The page has no numbers.
     pub struct TableOfIm9;
     chain: C A | X Y Z;
     d = { C: (0, 0, 0), A: (0, -12.5, 55) };

@@ -11,7 +11,8 @@ use super::chains::{
 use super::printed::Printed;
 use super::{Position, agrees, rotated, sheet};
 
-/// Direction about which the body of an axis rotates right-handed for positive words: 19682 to 19684, or 19687 to 19689.
+/// Direction about which the body of an axis rotates right-handed for positive words: 19682 to 19684, or 19687
+/// to 19689.
 fn rotation(printed: &Printed, number: u32) -> Vector3<f64> {
     let [code, inclination, direction] = [0, 1, 2].map(|next| printed.value(&(number + next).to_string()));
     let (sine, cosine) = inclination.to_radians().sin_cos();
@@ -148,6 +149,7 @@ fn table_position_and_frame_need_their_keys() {
 fn an_inclined_axis_is_stated_by_its_plane_and_angle() {
     let printed = Printed::read(&sheet::<machines::Dmu70e>(Fanuc, "").expect("a sheet"));
     let values = ["19682", "19683", "19684"].map(|number| printed.row(number).expected.as_str());
-    // B of the DMU 70e is about (0, 1, -1): from Y towards Z by -45 degrees. The table itself rotates left-handed about it.
+    // B of the DMU 70e is about (0, 1, -1): from Y towards Z by -45 degrees. The table itself rotates left-handed about
+    // it.
     assert_eq!(values, ["5", "-45.0000", "1"]);
 }

@@ -1,4 +1,5 @@
-//! Haas: settings of the rotary zero point. Their meaning is from general knowledge; the numbers agree with the declaration.
+//! Haas: settings of the rotary zero point. Their meaning is from general knowledge; the numbers agree with the
+//! declaration.
 
 use pp_runtime::machine;
 use pp_runtime::nalgebra::Vector3;

@@ -1,4 +1,5 @@
-//! Heidenhain: the kinematics description, walked from the tool to the workpiece (technical manual iTNC 530 HSCI p. 670, 722).
+//! Heidenhain: the kinematics description, walked from the tool to the workpiece (technical manual iTNC 530 HSCI p.
+//! 670, 722).
 
 use pp_runtime::kinematics::Machine;
 use pp_runtime::machine;
@@ -68,13 +69,15 @@ fn steps(printed: &Printed, position: &Position) -> Vec<Step> {
     steps
 }
 
-/// Machine coordinates at which the tip is on the workpiece point. Linear axes are next to each other in these machines.
+/// Machine coordinates at which the tip is on the workpiece point. Linear axes are next to each other in these
+/// machines.
 fn model(printed: &Printed, position: &Position) -> Vector3<f64> {
     let steps = steps(printed, position);
     let first = steps.iter().position(|step| matches!(step, Step::Linear)).expect("linear axes");
     let last = steps.iter().rposition(|step| matches!(step, Step::Linear)).expect("linear axes");
     let (head, table) = (&steps[..first], &steps[last + 1..]);
-    // With all axes at zero the last coordinate system is where the shifts lead, and the point is given from machine zero.
+    // With all axes at zero the last coordinate system is where the shifts lead, and the point is given from machine
+    // zero.
     let sum = |steps: &[Step]| {
         let shifts = steps.iter().filter_map(|step| if let Step::Shift(shift) = step { Some(*shift) } else { None });
         shifts.sum::<Vector3<f64>>()
@@ -121,8 +124,8 @@ machine! {
     d = { C: (0, 0, 0), B: (0.016, 0, 250.051) };
 }
 
-/// The manual's steps: Trans X 0.016, Trans Z 250.051, MachAxis B, Y, X, MachBase, Z, Trans X -298.923, Trans Y 200.172,
-/// MachAxis C.
+/// The manual's steps: Trans X 0.016, Trans Z 250.051, MachAxis B, Y, X, MachBase, Z, Trans X -298.923, Trans Y
+/// 200.172, MachAxis C.
 #[test]
 fn the_example_of_the_manual_has_its_steps() {
     // C is where the shifts lead: its machine coordinates are their sums.

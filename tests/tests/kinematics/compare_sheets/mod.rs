@@ -1,10 +1,12 @@
-//! Compare sheets: their numbers, put into the model that the manuals of each control describe, give the positions of the
-//! machine's own matrices; the worked examples of the manuals; refusals; and the sheets of the papers' machines, line by line.
+//! Compare sheets: their numbers, put into the model that the manuals of each control describe, give the positions of
+//! the machine's own matrices; the worked examples of the manuals; refusals; and the sheets of the papers' machines,
+//! line by line.
 //!
-//! The sheets are read as they are printed. The models here are written from the manuals and share no code with the sheets.
+//! The sheets are read as they are printed. The models here are written from the manuals and share no code with the
+//! sheets.
 //!
-//! `PP_BLESS=1 cargo test --workspace --test kinematics compare_sheets::` rewrites the sheets in tests/data/kinematics; read every changed
-//! line before it is committed.
+//! `PP_BLESS=1 cargo test --workspace --test kinematics compare_sheets::` rewrites the sheets in tests/data/kinematics;
+//! read every changed line before it is committed.
 
 mod chains;
 mod examples;

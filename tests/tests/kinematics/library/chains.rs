@@ -1,9 +1,9 @@
 //! The chains of the library, multiplied out from the drawings of their sources and from nothing of the machine but its
 //! dimensions.
 //!
-//! A rotary of the table is about a point counted from the reference point, one of the head about a point counted from the
-//! gauge line. A table that rotates right-handed with a positive word, as those of LinuxCNC, is a left-handed rotation of
-//! the tool.
+//! A rotary of the table is about a point counted from the reference point, one of the head about a point counted from
+//! the gauge line. A table that rotates right-handed with a positive word, as those of LinuxCNC, is a left-handed
+//! rotation of the tool.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 

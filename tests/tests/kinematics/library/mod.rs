@@ -1,5 +1,5 @@
-//! The machines of the library: the suite of every machine, their chains written out by hand, LinuxCNC's own modules for
-//! those that have one, and a sample posted and checked with the configuration of `examples/config`.
+//! The machines of the library: the suite of every machine, their chains written out by hand, LinuxCNC's own modules
+//! for those that have one, and a sample posted and checked with the configuration of `examples/config`.
 
 mod chains;
 mod modules;

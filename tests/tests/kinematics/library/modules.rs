@@ -24,9 +24,9 @@ struct Own {
     switched: bool,
 }
 
-/// Compares joints of random tips and angles with the axis values of the machine, mm. `pins` of a machine with a set-up: those
-/// of the module when the reference point of the table is at the machine zero, and the height of the spindle nose over the
-/// tip at the zero position.
+/// Compares joints of random tips and angles with the axis values of the machine, mm. `pins` of a machine with a
+/// set-up: those of the module when the reference point of the table is at the machine zero, and the height of the
+/// spindle nose over the tip at the zero position.
 fn agrees<M: Machine>(own: &Own, pins: impl Fn(&M, f64) -> Vec<(&'static str, f64)>) {
     if !installed() {
         return;

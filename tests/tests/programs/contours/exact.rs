@@ -1,5 +1,6 @@
-//! The exact offset of a contour of the words of a program, by points: walk back along the offset of an element until the tool
-//! no longer cuts the element after it, and forth until it no longer cuts the one before it. What is in between is left.
+//! The exact offset of a contour of the words of a program, by points: walk back along the offset of an element until
+//! the tool no longer cuts the element after it, and forth until it no longer cuts the one before it. What is in
+//! between is left.
 
 /// A line or an arc of a program.
 #[derive(Debug, Clone, Copy)]
@@ -72,8 +73,8 @@ impl Piece {
         }
     }
 
-    /// Distance of a point, + on the side of a tool on the `left`, from the whole line, or from the circle with the radius at that
-    /// end.
+    /// Distance of a point, + on the side of a tool on the `left`, from the whole line, or from the circle with the
+    /// radius at that end.
     fn distance(&self, point: [f64; 2], left: f64, at_end: bool) -> f64 {
         match self.round {
             None => {
@@ -100,8 +101,8 @@ impl Piece {
         }
     }
 
-    /// Share of the offset from one end, the `end` or the start, that cuts a neighbour there; and if all of it does, by how much it
-    /// cuts at least.
+    /// Share of the offset from one end, the `end` or the start, that cuts a neighbour there; and if all of it does, by
+    /// how much it cuts at least.
     fn lost(&self, left: f64, neighbour: &Piece, end: bool) -> Result<f64, f64> {
         let deep = |lost: f64| {
             let share = if end { 1.0 - lost } else { lost };
@@ -129,8 +130,8 @@ fn corner(before: &Piece, after: &Piece, left: f64) -> f64 {
     (from[0] * to[1] - from[1] * to[0]).atan2(from[0] * to[0] + from[1] * to[1]) * left.signum()
 }
 
-/// Whether every piece of a contour keeps a part of its offset to the left. The first piece is the lead-in, the last the lead-out,
-/// which loses nothing for the contour.
+/// Whether every piece of a contour keeps a part of its offset to the left. The first piece is the lead-in, the last
+/// the lead-out, which loses nothing for the contour.
 pub(super) fn offset(contour: &[Piece], left: f64) -> Outcome {
     let [first, .., last] = contour else { panic!("a contour has two leads") };
     let mut outcome = Outcome::of(first.length() - left.abs()).and(Outcome::of(last.length() - left.abs()));
@@ -167,8 +168,8 @@ pub(super) fn offset(contour: &[Piece], left: f64) -> Outcome {
     outcome
 }
 
-/// The contour of a program for LinuxCNC, and its side: 1 for left, -1 for right. The first piece is the lead-in, the last the
-/// lead-out.
+/// The contour of a program for LinuxCNC, and its side: 1 for left, -1 for right. The first piece is the lead-in, the
+/// last the lead-out.
 pub(super) fn contour_of(program: &str) -> (f64, Vec<Piece>) {
     let (mut here, mut side, mut motion) = ([0.0; 2], 0.0, 0);
     let mut contour = Vec::new();

@@ -1,14 +1,14 @@
 //! Random contours with cutter compensation: what the post refuses, what the check finds, what the exact offset of this
 //! test loses, and what the interpreter of LinuxCNC refuses, if it is installed.
 //!
-//! Each contour is posted for a tool that fits everywhere. The words of that program are the contour; then the same CL data is
-//! posted, and the program checked, with a tool that may not fit:
+//! Each contour is posted for a tool that fits everywhere. The words of that program are the contour; then the same CL
+//! data is posted, and the program checked, with a tool that may not fit:
 //!
 //! - post, check and exact offset agree,
 //! - what LinuxCNC refuses the post refuses; it stops at some arcs after corners that it takes as straight on.
 //!
-//! Contours nearer to a threshold than a thousandth of a micrometre are listed and not judged. `PP_CONTOURS=N` sets the number of
-//! contours, `PP_CONTOURS_SEED=S` the first seed.
+//! Contours nearer to a threshold than a thousandth of a micrometre are listed and not judged. `PP_CONTOURS=N` sets the
+//! number of contours, `PP_CONTOURS_SEED=S` the first seed.
 
 mod exact;
 

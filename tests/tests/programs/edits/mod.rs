@@ -5,8 +5,8 @@
 //! is chosen by control, then by the state of the control, then by the line, so that rare states are met as often as
 //! frequent ones.
 //!
-//! `PP_EDITS=20000 PP_EDITS_SEED=7 cargo test --workspace --test programs edits:: --release -- --nocapture` makes more edits, of
-//! each of the tests (`every_harmful_edit`, `every_harmful_permutation`: the order of lines alone changes);
+//! `PP_EDITS=20000 PP_EDITS_SEED=7 cargo test --workspace --test programs edits:: --release -- --nocapture` makes more
+//! edits, of each of the tests (`every_harmful_edit`, `every_harmful_permutation`: the order of lines alone changes);
 //! `PP_EDITS_REPORT=path` writes every edit that is missed or falsely found, grouped; their files are in `path.files`.
 
 mod corpus;
@@ -127,8 +127,9 @@ fn is_harmless_for_the_careful(posted: &Posted, edit: &Edit) -> bool {
     verdict(trace, &run(&edit.text, options), posted.subject.allowed) == Verdict::Harmless
 }
 
-/// Whether a program that does the same holds what a check may find: text after a semicolon, which may begin a block, an end
-/// code before the end, a code of the shop in a block with other words, M9 with codes of air, another unit or datum.
+/// Whether a program that does the same holds what a check may find: text after a semicolon, which may begin a block,
+/// an end code before the end, a code of the shop in a block with other words, M9 with codes of air, another unit or
+/// datum.
 fn is_matter_of_taste(posted: &Posted, edit: &Edit) -> bool {
     let options = &posted.subject.options;
     let semicolon = matches!(options.control, Control::Fanuc | Control::Haas) && edit.after.contains(';');
@@ -223,8 +224,8 @@ fn is_offset_after_plane(edit: &Edit) -> bool {
 /// Whether lines in another order cut the same, although they move in another way, or hold what a check may find.
 fn is_another_way(verdict: &Verdict, edit: &Edit) -> bool {
     match verdict {
-        // A cycle leads over its hole and down to R itself; whole turns of a helix come after a part of one; at the machine retract a
-        // plane may be off before axes go where tip control begins.
+        // A cycle leads over its hole and down to R itself; whole turns of a helix come after a part of one; at the
+        // machine retract a plane may be off before axes go where tip control begins.
         Verdict::Harmful(why) => {
             why.ends_with("became hole")
                 || why.contains("a point of an arc") && edit.before.contains("CP IPA")
@@ -272,8 +273,8 @@ fn judged(posted: &Posted, edit: &Edit, order: bool, tally: &mut Tally) -> Optio
             tally.passed_refused += usize::from(found.is_none());
             found.is_none().then(|| failure("refused, not found", control, posted, edit, &why, "none"))
         }
-        // The traces begin with a control that is in no state of a program before, and where an entry with a tool that stays cannot be
-        // tried, what it lacks is not in them.
+        // The traces begin with a control that is in no state of a program before, and where an entry with a tool that
+        // stays cannot be tried, what it lacks is not in them.
         (Verdict::Harmless, Some(found))
             if found.contains("from a program before")
                 || found.contains("this restart point does not end it")

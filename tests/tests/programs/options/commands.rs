@@ -124,8 +124,8 @@ const CASES: &[Case] = &[
 const BLANK: &[(&str, &str)] = &[("stock.lower", "[-60.0, -60.0, -30.0]"), ("stock.upper", "[60.0, 60.0, 0.0]")];
 const BOTH_SIDES: &[(&str, &str)] = &[("limits.B", "[-180.0, 180.0]")];
 
-/// Options without an effect on what is written: number of threads, progress on a terminal, a browser, and the text of the help; and the
-/// folder of a checkout, in a test of its own.
+/// Options without an effect on what is written: number of threads, progress on a terminal, a browser, and the text of
+/// the help; and the folder of a checkout, in a test of its own.
 const NO_EFFECT: &[&str] = &["threads", "quiet", "open", "help", "pp-runtime"];
 
 /// Options of commands that read CL data as `post` does: their effect is seen there.

@@ -1,8 +1,8 @@
 //! Every key of the configuration in a job that uses it, and every pair of keys.
 //!
-//! `tests/data/options/rows.toml` has the keys with a value that is not their default, what else they need, and the settings without
-//! which the job cannot be posted; `job.cls` is the job: faces, a contour with cutter compensation, a blade, a pole, a tilted pocket,
-//! holes, a bore, a thread and a probe.
+//! `tests/data/options/rows.toml` has the keys with a value that is not their default, what else they need, and the
+//! settings without which the job cannot be posted; `job.cls` is the job: faces, a contour with cutter compensation, a
+//! blade, a pole, a tilted pocket, holes, a bore, a thread and a probe.
 
 mod commands;
 mod effects;
@@ -131,7 +131,8 @@ impl Keys {
         Self { base: part("base"), rows, examples }
     }
 
-    /// The text of a value for a control: its own one, that for others, or the printed example; `None` where it has none (`-`).
+    /// The text of a value for a control: its own one, that for others, or the printed example; `None` where it has
+    /// none (`-`).
     fn text(&self, control: &str, key: &str, value: Option<&Value>) -> Option<String> {
         let text = match value {
             Some(Value::Table(by_control)) => by_control.get(control).or_else(|| by_control.get("other"))?.as_str()?,

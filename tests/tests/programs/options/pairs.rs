@@ -1,8 +1,8 @@
 //! Every pair of keys in one job: it is posted and passes its check, or is refused with a message that names both.
 //!
-//! Ten keys or so are in one job, chosen so that it has pairs that no job has had. A job that is refused is made smaller until every
-//! key that is left is needed for the refusal. Each pair is tried on one control of those that have both; another seed tries others:
-//! `PP_PAIRS_SEED=7 cargo test -p tests --test programs options::pairs`.
+//! Ten keys or so are in one job, chosen so that it has pairs that no job has had. A job that is refused is made
+//! smaller until every key that is left is needed for the refusal. Each pair is tried on one control of those that have
+//! both; another seed tries others: `PP_PAIRS_SEED=7 cargo test -p tests --test programs options::pairs`.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::env;

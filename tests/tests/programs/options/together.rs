@@ -82,8 +82,8 @@ fn a_probe_along_the_machine_axis_where_every_mode_is_a_plane() {
     }
 }
 
-/// `course.axis_tolerance` leads the tool axis to the pole, and the control chooses the rotation there: a linear axis may have to
-/// move far.
+/// `course.axis_tolerance` leads the tool axis to the pole, and the control chooses the rotation there: a linear axis
+/// may have to move far.
 #[test]
 fn a_course_through_the_pole_with_the_speed_of_a_linear_axis() {
     let cl = "SPINDL/RPM,3000,CLW\nRAPID\nGOTO/-8,-3,51,-0.091953,-0.038877,0.995004\nFEDRAT/MMPM,1500\nGOTO/-3,-.4,12\n\
@@ -93,8 +93,8 @@ fn a_course_through_the_pole_with_the_speed_of_a_linear_axis() {
     job.is_right::<SpinnerU5620>();
 }
 
-/// An operation that would go on from the last one, but for a rapid that may enter the clearance geometry, has an approach: it
-/// ends where its first motion leads straight down.
+/// An operation that would go on from the last one, but for a rapid that may enter the clearance geometry, has an
+/// approach: it ends where its first motion leads straight down.
 #[test]
 fn an_approach_in_place_of_a_rapid_that_may_enter_the_clearance_geometry() {
     let cl = "CLEARP/XYPLAN,60\nTOOL PATH/A,TOOL,T\nSPINDL/RPM,3000,CLW\nRAPID\n\

@@ -1,6 +1,6 @@
-//! Chains of every kind on random set-ups: three linear axes with rotary ones before, between and after them, in the table, in the
-//! head and in both. Each is posted in each mode and for each control; what is posted passes its check and has the motions that
-//! the foreign interpreter finds, and what is refused has a reason.
+//! Chains of every kind on random set-ups: three linear axes with rotary ones before, between and after them, in the
+//! table, in the head and in both. Each is posted in each mode and for each control; what is posted passes its check
+//! and has the motions that the foreign interpreter finds, and what is refused has a reason.
 //!
 //! `PP_CHAINS=N` sets the number of jobs for each chain, control and mode, `PP_CHAINS_SEED=S` the first seed.
 
@@ -108,8 +108,8 @@ fn may_be_parallel(chain: &str) -> bool {
 /// Poses of each chain that are compared with the product of its matrices.
 const POSES: usize = 1_000;
 
-/// The proven kinematics of each chain are those of its declared joints: poses are found, solved or out of reach, and rates and bounds
-/// are those of the matrices.
+/// The proven kinematics of each chain are those of its declared joints: poses are found, solved or out of reach, and
+/// rates and bounds are those of the matrices.
 #[test]
 fn the_kinematics_of_every_chain_are_the_product_of_its_matrices() {
     for subject in subjects() {

@@ -351,8 +351,8 @@ impl Program<'_> {
 
     /// Makes holes at one tool axis, with one cycle or more.
     fn holes(&mut self) {
-        // Whether a hole lies below the point before its cycle, and the tool goes back there after it: from random numbers of
-        // their own.
+        // Whether a hole lies below the point before its cycle, and the tool goes back there after it: from random
+        // numbers of their own.
         let mut over = Random::new(!self.random.clone().bits());
         self.here.z = self.clear;
         self.line("RAPID");

@@ -34,9 +34,9 @@ use set_up::{KINDS, MachineKind};
 /// Number of programs in a test run.
 const PROGRAMS: usize = 300;
 
-/// Seeds of programs that their own check has rejected: the F of a cut after a rotation at the pole, axis speeds under tip
-/// control (12 400 086: of a rotary axis and a linear one that is nearly as slow), a rapid by half a revolution, a pole past which the
-/// control keeps its branch, and a clamped axis that only a rewind rotates (12 404 547).
+/// Seeds of programs that their own check has rejected: the F of a cut after a rotation at the pole, axis speeds under
+/// tip control (12 400 086: of a rotary axis and a linear one that is nearly as slow), a rapid by half a revolution, a
+/// pole past which the control keeps its branch, and a clamped axis that only a rewind rotates (12 404 547).
 const ONCE_REJECTED: [u64; 42] = [
     1836, 1980, 2644, 3820, 50_207, 51_843, 52_226, 61_277, 61_982, 63_386, 63_545, 67_063, 70_154, 70_757, 75_444,
     83_097, 770_441, 771_559, 771_596, 773_067, 773_435, 5_205_097, 5_208_822, 12_400_086, 12_404_547, 31_004_436,

@@ -1,8 +1,8 @@
 //! The whole control with generated kinematics: a module is compiled, loaded and switched, and runs posted programs.
 //!
-//! For each machine one part is posted twice. The `tcp` program holds tips and angles, and the control computes the joints by
-//! the module: they must be the axis values of the `axes` program, and by the matrices of the oracle the tip of the machine in
-//! these joints must be on the points of the CL data. A module with a wrong sign is found.
+//! For each machine one part is posted twice. The `tcp` program holds tips and angles, and the control computes the
+//! joints by the module: they must be the axis values of the `axes` program, and by the matrices of the oracle the tip
+//! of the machine in these joints must be on the points of the CL data. A module with a wrong sign is found.
 
 use nalgebra::{Point3, Vector3};
 use pp_runtime::config::Mode;
@@ -167,7 +167,8 @@ fn assert_runs<M: Machine>(letters: &'static str) {
 /// Largest speeds, mm/min and deg/min, that a program must hold.
 const SPEEDS: [(char, f64); 5] = [('X', 9_000.0), ('Y', 9_000.0), ('Z', 7_200.0), ('B', 2_700.0), ('C', 3_600.0)];
 
-/// How many times faster than that the machine of this test moves, by its speeds and by the feed override, so that it need not wait.
+/// How many times faster than that the machine of this test moves, by its speeds and by the feed override, so that it
+/// need not wait.
 const FASTER: f64 = 10.0;
 
 #[test]
@@ -182,8 +183,8 @@ fn joints_keep_their_speeds_under_tip_control() {
     };
     config.set_up.speeds = speeds(FASTER);
     config.motion.tip.tcp_confirmed = true;
-    // Exact path: where LinuxCNC rounds a corner, it adds the speeds of two blocks, with the unlimited acceleration of this test
-    // in one cycle.
+    // Exact path: where LinuxCNC rounds a corner, it adds the speeds of two blocks, with the unlimited acceleration of
+    // this test in one cycle.
     let exact = "{units} G17 G40 G49 G80 G90 G94 {work_offset} G61".to_owned();
     config.control.safety = Some(vec![exact]);
     let machine = config.set_up.machine::<Nutating>().expect("valid");

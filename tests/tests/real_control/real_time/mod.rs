@@ -1,5 +1,5 @@
-//! The whole control, simulated. It runs in real time, and a computer runs one at a time: these tests wait, and `.ci/run` starts
-//! them beside those that compute.
+//! The whole control, simulated. It runs in real time, and a computer runs one at a time: these tests wait, and
+//! `.ci/run` starts them beside those that compute.
 
 mod generated;
 mod job;

@@ -1,9 +1,10 @@
 //! The same kinematics as C99: a structure, its defaults, forward and inverse kinematics, and the linear axes.
 //!
-//! The formulas are the nodes that are printed as Rust; only the guards around them are written here again, and compared
-//! with those of Rust by running both. The text is a part of the machine, since the graph exists while it is compiled only;
-//! [`PREFIX`] in it becomes the name that a caller gives. Functions are `static inline`, allocate nothing and contain no
-//! loop; they call `sqrt`, `fabs` and `isfinite`, and `sin`, `cos` and `atan2` with the prefix, which the caller defines.
+//! The formulas are the nodes that are printed as Rust; only the guards around them are written here again, and
+//! compared with those of Rust by running both. The text is a part of the machine, since the graph exists while it is
+//! compiled only; [`PREFIX`] in it becomes the name that a caller gives. Functions are `static inline`, allocate
+//! nothing and contain no loop; they call `sqrt`, `fabs` and `isfinite`, and `sin`, `cos` and `atan2` with the prefix,
+//! which the caller defines.
 
 mod branch;
 mod code;

@@ -1,5 +1,5 @@
-//! The inverse kinematics, and its rotary axes alone: straight-line code for ordinary poses, a cold path for pole and rim, and
-//! `reach`.
+//! The inverse kinematics, and its rotary axes alone: straight-line code for ordinary poses, a cold path for pole and
+//! rim, and `reach`.
 //!
 //! Sines are computed in three places only: of a rotary that is free at the pole, of held rotaries, and of dimensions
 //! that are angles.

@@ -1,5 +1,5 @@
-//! Angles of the second solution (branch) that are computed from those of the first, such as `-B` or `C + 180°`, without
-//! another `atan2`.
+//! Angles of the second solution (branch) that are computed from those of the first, such as `-B` or `C + 180°`,
+//! without another `atan2`.
 
 use std::collections::BTreeMap;
 

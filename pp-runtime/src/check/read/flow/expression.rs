@@ -52,8 +52,8 @@ impl<'e, 'a> Expression<'e, 'a> {
         }
     }
 
-    /// Whether AND and OR make the same of the part that has been read on all controls of its form: Fanuc and Haas combine
-    /// bits, before they add; LinuxCNC what is true, after it has compared.
+    /// Whether AND and OR make the same of the part that has been read on all controls of its form: Fanuc and Haas
+    /// combine bits, before they add; LinuxCNC what is true, after it has compared.
     fn is_alike(&self, value: Value) -> bool {
         let is_logical = |value: f64| value.abs() < EQUAL || (value - 1.0).abs() < EQUAL;
         self.variables.form() != LineForm::Letters || self.single && value.is_none_or(is_logical)
@@ -223,8 +223,8 @@ impl<'e, 'a> Expression<'e, 'a> {
         }
     }
 
-    /// An angle of ASIN or ATAN. Fanuc counts it from 0 to 360 degrees or from -180 to 180, by parameter 6004#0 (from memory): it is
-    /// known where both are one.
+    /// An angle of ASIN or ATAN. Fanuc counts it from 0 to 360 degrees or from -180 to 180, by parameter 6004#0 (from
+    /// memory): it is known where both are one.
     fn angle(&self, degrees: Value) -> Value {
         degrees.filter(|degrees| !self.variables.by_settings() || *degrees >= 0.0)
     }

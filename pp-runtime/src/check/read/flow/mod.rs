@@ -1,9 +1,9 @@
-//! Lines in the order in which a control executes them: variables, conditions, loops, jumps and subprograms whose values follow from
-//! numbers of the program.
+//! Lines in the order in which a control executes them: variables, conditions, loops, jumps and subprograms whose
+//! values follow from numbers of the program.
 //!
-//! A statement is carried out here, and a block comes out with numbers in the place of its expressions. What depends on a
-//! value that the program does not state (a measured length, the clock) is left to the families, which know guards and
-//! refuse the rest.
+//! A statement is carried out here, and a block comes out with numbers in the place of its expressions. What depends on
+//! a value that the program does not state (a measured length, the clock) is left to the families, which know guards
+//! and refuse the rest.
 
 mod expression;
 mod statement;

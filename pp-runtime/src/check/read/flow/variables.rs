@@ -138,8 +138,8 @@ impl Variables {
             LineForm::Letters => {
                 let digits = variable.strip_prefix(b"#").unwrap_or_default();
                 match std::str::from_utf8(digits).ok().and_then(|digits| digits.parse::<u32>().ok()) {
-                    // From #500 on they outlast the program on Fanuc and Haas, and probing macros keep their calibration there. To the
-                    // control belong those from #1000 on, on LinuxCNC those from #5061 on.
+                    // From #500 on they outlast the program on Fanuc and Haas, and probing macros keep their
+                    // calibration there. To the control belong those from #1000 on, on LinuxCNC those from #5061 on.
                     Some(number) => (1..if self.by_settings { 500 } else { 1000 }).contains(&number),
                     None => !variable.strip_prefix(b"#<_").is_some_and(|name| PREDEFINED.contains(&name)),
                 }

@@ -36,8 +36,8 @@ pub(super) struct GuardLabel {
     length: usize,
 }
 
-/// Whether a line, of which `came` says that it is the next of a guard, is nothing else besides; a guard that has begun is
-/// incomplete otherwise.
+/// Whether a line, of which `came` says that it is the next of a guard, is nothing else besides; a guard that has begun
+/// is incomplete otherwise.
 pub(super) fn continues(line: &mut Line<'_>, came: bool, is_open: bool, guard: &str) -> bool {
     let continues = came && super::ended(line);
     if !continues && is_open {

@@ -1,12 +1,12 @@
 //! Conversational programs of a Heidenhain control.
 //!
-//! Every line has a number, one more than the line before; one that ends in `~` goes on in the next. Only words, F and the
-//! radius correction stay in force: a line begins with L, C, CR or CP. `FMAX` and M codes hold for one line. The tool axis
-//! of TOOL CALL is the normal of the plane.
+//! Every line has a number, one more than the line before; one that ends in `~` goes on in the next. Only words, F and
+//! the radius correction stay in force: a line begins with L, C, CR or CP. `FMAX` and M codes hold for one line. The
+//! tool axis of TOOL CALL is the normal of the plane.
 //!
-//! What a line begins with is in the table of the language; `words` has the words of a motion, `round` the arcs about CC,
-//! `cycles` CYCL DEF, `plane` PLANE and TCPM, `guard` the length guard, `plane_guard` and `offset_guard` the others. Functions of
-//! a statement answer whether all of it is known.
+//! What a line begins with is in the table of the language; `words` has the words of a motion, `round` the arcs about
+//! CC, `cycles` CYCL DEF, `plane` PLANE and TCPM, `guard` the length guard, `plane_guard` and `offset_guard` the
+//! others. Functions of a statement answer whether all of it is known.
 
 mod cycles;
 mod guard;

@@ -1,7 +1,7 @@
 //! The guard of what lies over the work offset: it reads the basic rotation, and jumps over an error.
 //!
-//! `FN 18: SYSREAD QL1 = ID210 NR1` (TNC 426/430 Technical Manual, p. 7-30), `FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET1"`, a comment,
-//! `FN 14: ERROR = 102`, `LBL "OFFSET1"`.
+//! `FN 18: SYSREAD QL1 = ID210 NR1` (TNC 426/430 Technical Manual, p. 7-30), `FN 9: IF +QL1 EQU +0 GOTO LBL "OFFSET1"`,
+//! a comment, `FN 14: ERROR = 102`, `LBL "OFFSET1"`.
 
 use super::super::line::Line;
 use super::super::orders::ModeOrder;

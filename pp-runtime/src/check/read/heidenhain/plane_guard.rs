@@ -1,8 +1,8 @@
 //! The guard of rotary positions after a plane call: it reads the positions, and jumps over an error.
 //!
 //! `FN 20: WAIT FOR SYNC`, `FN 18: SYSREAD QL1 = ID270 NR1 IDX5` for each axis,
-//! `QL3 = ABS ( SIN ( ( QL1 - 30 ) / 2 ) ) + ABS ( SIN ( ( QL2 + 20 ) / 2 ) )`, `FN 12: IF +QL3 LT +0.0009 GOTO LBL "PLANE1"`, a
-//! comment, `FN 14: ERROR = 101`, `LBL "PLANE1"`.
+//! `QL3 = ABS ( SIN ( ( QL1 - 30 ) / 2 ) ) + ABS ( SIN ( ( QL2 + 20 ) / 2 ) )`,
+//! `FN 12: IF +QL3 LT +0.0009 GOTO LBL "PLANE1"`, a comment, `FN 14: ERROR = 101`, `LBL "PLANE1"`.
 
 use super::super::block::RotaryGuard;
 use super::super::line::Line;

@@ -26,7 +26,8 @@ pub(super) fn centre(line: &mut Line<'_>, pole: &mut [Option<f64>; 3]) -> bool {
     pole.iter().flatten().count() <= 2
 }
 
-/// Code of an arc whose words have been read: C has a pole, CR a radius, CP a pole and an angle. `None` where one is missing.
+/// Code of an arc whose words have been read: C has a pole, CR a radius, CP a pole and an angle. `None` where one is
+/// missing.
 pub(super) fn close(
     line: &mut Line<'_>,
     spelling: &str,

@@ -1,9 +1,10 @@
 //! Guards that compare the length of the tool, or what lies over the work offset, each recognised as a whole.
 //!
-//! LinuxCNC: `o1 if [[ABS[#5403 - L] GT tol] AND [ABS[[#5403 * 25.4] - L] GT tol]]`, or `o1 if [[#5210 NE 0] OR [#[5210 + 20 * #5220]
-//! NE 0]]` (G92 is active, the offset in force is rotated: LinuxCNC 2.9, numbered parameters), `(abort, ..)`, `o1 endif`. Fanuc and
-//! Haas: `IF [ABS[#10021+#11021-L] GT tol] THEN #3000=101 (..)`, or `IF [ABS[..] LT tol] GOTO n`, such an alarm, and the
-//! block `Nn`.
+//! LinuxCNC: `o1 if [[ABS[#5403 - L] GT tol] AND [ABS[[#5403 * 25.4] - L] GT tol]]`, or `o1 if [[#5210 NE 0] OR
+//! [#[5210 + 20 * #5220] NE
+//! 0]]` (G92 is active, the offset in force is rotated: LinuxCNC 2.9, numbered parameters), `(abort, ..)`, `o1
+//! endif`. Fanuc and Haas: `IF [ABS[#10021+#11021-L] GT tol] THEN #3000=101 (..)`, or `IF [ABS[..] LT tol] GOTO n`,
+//! such an alarm, and the block `Nn`.
 
 use super::super::block::{Guard, LengthSource};
 use super::super::line::Line;

@@ -1,11 +1,11 @@
 //! Programs of letters and numbers: LinuxCNC, Fanuc, Haas.
 //!
-//! A line has letters and their numbers; codes are in the table of the language. Besides blocks a program has `%`, `O1234`,
-//! comments, `/`, and the guards of `guard`.
+//! A line has letters and their numbers; codes are in the table of the language. Besides blocks a program has `%`,
+//! `O1234`, comments, `/`, and the guards of `guard`.
 //!
-//! On Fanuc and Haas a length without a decimal point counts least increments (0.001 mm, 0.0001 in, 0.001 degree), unless
-//! the set-up says that the control reads them plainly; Haas reads an F without one by a setting, so that it is refused
-//! here. There `;` ends a block, and what follows it in the line would be the next block: it is a fault.
+//! On Fanuc and Haas a length without a decimal point counts least increments (0.001 mm, 0.0001 in, 0.001 degree),
+//! unless the set-up says that the control reads them plainly; Haas reads an F without one by a setting, so that it is
+//! refused here. There `;` ends a block, and what follows it in the line would be the next block: it is a fault.
 
 mod guard;
 mod moves;

@@ -60,9 +60,9 @@ impl MoveWords {
         }
     }
 
-    /// Reads a line of words of axes and F, each once and none in least increments, after a block number at most; `false` if
-    /// another word comes, or none of an axis. `centre`: those of I J K that it may have; `normal`: an axis that it may not have. A
-    /// function of its own, whose registers no other line needs.
+    /// Reads a line of words of axes and F, each once and none in least increments, after a block number at most;
+    /// `false` if another word comes, or none of an axis. `centre`: those of I J K that it may have; `normal`: an axis
+    /// that it may not have. A function of its own, whose registers no other line needs.
     #[inline(never)]
     pub(super) fn read(&self, text: &[u8], (centre, normal): (Letters, Option<usize>), moves: &mut Moves) -> bool {
         let without_normal = normal.map_or(!0, |normal| !(1 << normal));
@@ -70,8 +70,8 @@ impl MoveWords {
         self.words::<true>(text, permitted, moves) || self.words::<false>(text, permitted, moves)
     }
 
-    /// Takes the words; `SHORT`: none has a longer number than [`Cursor::short_number`] takes, as in nearly every line. A byte
-    /// that goes on with its number is no part of such a line.
+    /// Takes the words; `SHORT`: none has a longer number than [`Cursor::short_number`] takes, as in nearly every line.
+    /// A byte that goes on with its number is no part of such a line.
     #[inline(always)]
     fn words<const SHORT: bool>(&self, text: &[u8], permitted: u32, moves: &mut Moves) -> bool {
         let number = |at: &mut Cursor<'_>| if SHORT { at.short_number() } else { at.number() };

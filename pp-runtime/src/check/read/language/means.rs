@@ -18,7 +18,7 @@ pub(in super::super) enum Means {
     Machine,
     Plane(WorkPlane),
     Units(Units),
-    /// The same, of F as well.
+    /// Units of words and of F.
     UnitsOfFeed(Units),
     Distances {
         incremental: bool,
@@ -66,7 +66,8 @@ pub(in super::super) enum Means {
     CallCycle,
     Address(Address),
     Statement(StatementWord),
-    /// It ends what a program before may have left, and changes nothing else: bit of `settled`. A word that it takes is 0.
+    /// It ends what a program before may have left, and changes nothing else: bit of `settled`. A word that it takes
+    /// is 0.
     Settles(u32),
     /// It changes nothing, for this reason.
     Harmless(&'static str),

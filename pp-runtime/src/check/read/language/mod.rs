@@ -1,11 +1,12 @@
 //! The languages of the controls: one table for each family, and nothing is known that is not in it.
 //!
-//! A row is a code or a word: its spelling, its meaning (which `execute` carries out), the modal group in which a block may
-//! have one code, the address words that it takes and those that it needs, and its source. A code that is in no row, a word
-//! that no code of its block takes, and a word that a code needs and that is missing are faults of the block.
+//! A row is a code or a word: its spelling, its meaning (which `execute` carries out), the modal group in which a block
+//! may have one code, the address words that it takes and those that it needs, and its source. A code that is in no
+//! row, a word that no code of its block takes, and a word that a code needs and that is missing are faults of the
+//! block.
 //!
-//! Rows that LinuxCNC, Fanuc and Haas share are in `iso`. Lists of arguments (Siemens) and of Q parameters (Heidenhain) are
-//! in `arguments`; they too are complete.
+//! Rows that LinuxCNC, Fanuc and Haas share are in `iso`. Lists of arguments (Siemens) and of Q parameters (Heidenhain)
+//! are in `arguments`; they too are complete.
 
 pub(super) mod arguments;
 mod fanuc;

@@ -1,7 +1,7 @@
 //! Executes the orders of blocks: one state machine for all families of controls.
 //!
-//! Words become mm and rad here. The position of an axis is known only while nothing has happened that may have moved it or its
-//! zero. What the user declares of a line comes last.
+//! Words become mm and rad here. The position of an axis is known only while nothing has happened that may have moved
+//! it or its zero. What the user declares of a line comes last.
 
 mod arc;
 mod hole;
@@ -251,8 +251,8 @@ impl Interpreter {
         self.motion.vectors
     }
 
-    /// Letters of I J K that a line of words alone may have, and whether it may have the word along the normal of the plane. `None`
-    /// where such a line may do more than move axes.
+    /// Letters of I J K that a line of words alone may have, and whether it may have the word along the normal of the
+    /// plane. `None` where such a line may do more than move axes.
     pub(super) fn words_of_moves(&self) -> Option<(Letters, Option<usize>)> {
         let MotionModes { code, takes, vectors, canned, rigid, thread_due, .. } = &self.motion;
         match code {

@@ -1,8 +1,8 @@
 //! Guards: `IF ABS($P_TOOLL[1]-L)>tol`, `MSG("..")`, `M0`, `M30`, `ENDIF`, each a line. That of the radius begins with
-//! `IF ABS($P_TOOLR)>tol`, that of rotary positions with `IF ABS(SIN(($AA_IW[B]-30)/2))+ABS(SIN(($AA_IW[C]+20)/2))>t`; SIN is
-//! in degrees, and reading `$AA_IW` stops the look-ahead.
-//! That of what lies over the work offset has rotation, scale and mirror of X, Y and Z of `$P_ACTFRAME`, the chain of all frames
-//! (programming manual 12/2019, 6FC5398-2EP40-0BA0, p. 631 and 636).
+//! `IF ABS($P_TOOLR)>tol`, that of rotary positions with `IF ABS(SIN(($AA_IW[B]-30)/2))+ABS(SIN(($AA_IW[C]+20)/2))>t`;
+//! SIN is in degrees, and reading `$AA_IW` stops the look-ahead.
+//! That of what lies over the work offset has rotation, scale and mirror of X, Y and Z of `$P_ACTFRAME`, the chain of
+//! all frames (programming manual 12/2019, 6FC5398-2EP40-0BA0, p. 631 and 636).
 
 use super::super::block::{Guard, LengthSource, RotaryGuard};
 use super::super::line::Line;
@@ -133,8 +133,8 @@ fn condition(at: &mut Cursor<'_>, unit: f64) -> Option<OpenGuard> {
     (at.ended() && tolerance > 0.0).then_some(OpenGuard::Length(guard))
 }
 
-/// `(ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[X,SC]-1)+..>t) OR $P_ACTFRAME[X,MI] ..`, and nothing after it; takes nothing if it is
-/// something else.
+/// `(ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[X,SC]-1)+..>t) OR $P_ACTFRAME[X,MI] ..`, and nothing after it; takes
+/// nothing if it is something else.
 fn is_offset(at: &mut Cursor<'_>) -> bool {
     let start = *at;
     let whole = at.literal(b"(ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])")

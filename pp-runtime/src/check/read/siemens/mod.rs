@@ -1,8 +1,8 @@
 //! Programs of a Siemens 840D: words with and without `=`, keywords, calls.
 //!
-//! `D` puts the length of a cutting edge in force, `D0` none. `G4 F` waits seconds. `CYCLE8x(..)` runs where the tool is,
-//! `MCALL CYCLE8x(..)` at each point that follows. A guard is `IF` with a condition on the tool's length, a message, a stop
-//! and `ENDIF`.
+//! `D` puts the length of a cutting edge in force, `D0` none. `G4 F` waits seconds. `CYCLE8x(..)` runs where the tool
+//! is, `MCALL CYCLE8x(..)` at each point that follows. A guard is `IF` with a condition on the tool's length, a
+//! message, a stop and `ENDIF`.
 //!
 //! Words and keywords are here, codes in the table of the language, calls in `calls`.
 

@@ -7,8 +7,8 @@ fn column(tilt: &Tilt, index: usize) -> [f64; 3] {
 }
 
 /// HEIDENHAIN TNC 620 user's manual 10/2017, page 540: `PLANE SPATIAL SPA+45 SPB+0 SPC+90` is A+45, B+0, C+90 about the
-/// axes that stay, and C+90, B+0, A+45 about those that turn: both leave the new X along the old Y, and the new Z leaning
-/// by 45 degrees towards the old X.
+/// axes that stay, and C+90, B+0, A+45 about those that turn: both leave the new X along the old Y, and the new Z
+/// leaning by 45 degrees towards the old X.
 #[test]
 fn plane_spatial_is_that_of_the_manual() {
     let block =
@@ -20,8 +20,8 @@ fn plane_spatial_is_that_of_the_manual() {
     assert!(plane.oriented);
 }
 
-/// G68.2 turns about Z by I, about the new X by J, about the new Z by K: with I 90 and J 45 the new X is the old Y, and the
-/// new Z leans towards the old X; K turns X and Y in the plane.
+/// G68.2 turns about Z by I, about the new X by J, about the new Z by K: with I 90 and J 45 the new X is the old Y, and
+/// the new Z leans towards the old X; K turns X and Y in the plane.
 #[test]
 fn g68_2_turns_about_z_x_z_as_they_go_along() {
     let text = format!("{}G68.2 X1. Y2. Z3. I90. J45. K0.\nG53.1", LINUXCNC.replace(" G64 P0.01", ""));
@@ -32,8 +32,8 @@ fn g68_2_turns_about_z_x_z_as_they_go_along() {
     assert!(near(column(&turned, 0), [-half, 0.0, half]), "{turned:?}");
 }
 
-/// CYCLE800 axis by axis: mode 57 is X, new Y, new Z (its bits 01, 10, 11 name the axes of A, B and C in this order), 27 is
-/// Z, new Y, new X.
+/// CYCLE800 axis by axis: mode 57 is X, new Y, new Z (its bits 01, 10, 11 name the axes of A, B and C in this order),
+/// 27 is Z, new Y, new X.
 #[test]
 fn cycle800_turns_in_the_order_of_its_mode() {
     let plane = |mode: u32, angles: &str| {

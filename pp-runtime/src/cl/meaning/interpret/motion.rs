@@ -65,7 +65,7 @@ impl RecordInterpreter {
         if self.options.always_tip() { Ok(pose) } else { self.tip_of_tool(pose, at) }
     }
 
-    /// The same, as it is set for the present tool.
+    /// Pose of the tool tip, by the point that is set for the present tool.
     fn tip_of_tool(&self, pose: Pose, at: Span) -> Result<Pose, ClFault> {
         let number = self.tool.current().map(|tool| tool.number).or(self.options.default_tool);
         let given = number.and_then(|number| self.options.cl_point_of.get(&number)).copied();
@@ -142,8 +142,8 @@ impl RecordInterpreter {
         Ok(())
     }
 
-    /// Notes that the next motion cuts, unless it is a rapid. Where points may be centres, they are those of the cutter described last
-    /// in rapids, too.
+    /// Notes that the next motion cuts, unless it is a rapid. Where points may be centres, they are those of the cutter
+    /// described last in rapids, too.
     #[inline(always)]
     fn note_cut(&mut self) {
         if self.tool.is_described_anew() && !(self.path.is_rapid() && self.options.always_tip()) {

@@ -136,8 +136,8 @@ impl RecordInterpreter {
         self.coordinates.take_frame(frame, at, options, dialect)
     }
 
-    /// Another set-up begins: the axes are parked, and the operator clamps the part. A STOP before it is the one in which he does; the
-    /// name of an operation before it is that of the first one after it.
+    /// Another set-up begins: the axes are parked, and the operator clamps the part. A STOP before it is the one in
+    /// which he does; the name of an operation before it is that of the first one after it.
     pub(crate) fn change_set_up(&mut self, number: u32, here: Location) {
         self.waiting.stop = None;
         let name = self.waiting.name.take();

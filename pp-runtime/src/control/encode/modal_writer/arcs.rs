@@ -78,8 +78,8 @@ impl ModalWriter<'_> {
     fn arc_about_pole(&mut self, words: &AxisWords, circle: &Circle) -> io::Result<()> {
         let arcs = &self.codes.arcs;
         let [first, second, normal] = circle.plane.axes().map(|axis| circle.chain[axis]);
-        // Whether the words in force are those of the start of the arc. After a helix, whose end is an angle, they are so only up to
-        // rounding, and a full circle by `C` might then be none at all.
+        // Whether the words in force are those of the start of the arc. After a helix, whose end is an angle, they are
+        // so only up to rounding, and a full circle by `C` might then be none at all.
         let known = self.modal.is_axis(first, circle.start[0]) && self.modal.is_axis(second, circle.start[1]);
         self.forget_plane(circle);
         let decimals = self.decimals(first);

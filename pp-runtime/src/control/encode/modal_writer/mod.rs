@@ -1,7 +1,7 @@
 //! Writer of blocks that leaves out modal words in force: axis words, motion code, feed mode, F.
 //!
-//! The writer owns the modal state and enters every word that it writes. [`motion`], [`arcs`] and [`retract`] write the blocks
-//! that move the machine; the methods here write templates and everything else that changes the state.
+//! The writer owns the modal state and enters every word that it writes. [`motion`], [`arcs`] and [`retract`] write the
+//! blocks that move the machine; the methods here write templates and everything else that changes the state.
 
 mod arcs;
 mod motion;
@@ -459,8 +459,8 @@ impl<'a> ModalWriter<'a> {
         self.smoothing.blending = self.smoothing.wanted.1;
     }
 
-    /// Switches smoothing on or off, where that of the cuts differs from the one in force. `cuts`: a cut comes. Where it is
-    /// unknown, the next cut decides.
+    /// Switches smoothing on or off, where that of the cuts differs from the one in force. `cuts`: a cut comes. Where
+    /// it is unknown, the next cut decides.
     #[inline]
     pub(crate) fn smooth(&mut self, cuts: bool) -> io::Result<()> {
         let (level, tolerance) = self.smoothing.wanted;

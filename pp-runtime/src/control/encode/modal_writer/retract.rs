@@ -1,5 +1,5 @@
-//! Rapids to positions of the machine: the machine retract, home positions, machine coordinates. Some of their blocks cancel
-//! the length offset.
+//! Rapids to positions of the machine: the machine retract, home positions, machine coordinates. Some of their blocks
+//! cancel the length offset.
 
 use std::io;
 
@@ -10,8 +10,8 @@ use super::ModalWriter;
 use crate::control::encode::modal_state::{After, LengthState};
 
 impl ModalWriter<'_> {
-    /// Writes the machine retract. Out of tip control that ends with the length offset it is always the block of machine
-    /// coordinates, which ends both.
+    /// Writes the machine retract. Out of tip control that ends with the length offset it is always the block of
+    /// machine coordinates, which ends both.
     pub(crate) fn retract(&mut self, words: &AxisWords) -> io::Result<()> {
         match self.retract {
             _ if self.tip.ends => self.machine_rapid(words),

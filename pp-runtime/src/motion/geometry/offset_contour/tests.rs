@@ -18,7 +18,7 @@ fn offset(left_mm: f64, elements: &[ContourElement]) -> Result<(), OffsetMisfit>
     offset.end(lead_out)
 }
 
-/// The same in all positions: reversed in direction, mirrored, and rotated.
+/// An offset that is the same in all positions: reversed in direction, mirrored, and rotated.
 fn offset_anyhow(left_mm: f64, elements: &[ContourElement]) -> Result<(), OffsetMisfit> {
     let found = offset(left_mm, elements);
     let with = |map: &dyn Fn(InPlane) -> InPlane, mirrors: f64| {

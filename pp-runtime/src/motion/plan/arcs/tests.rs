@@ -420,8 +420,8 @@ fn within_tolerance<M: Machine>(wanted: &CircleCase) -> Result<usize, TestCaseEr
     Ok(arcs)
 }
 
-/// Close to a full circle, the rounding of the ends moves the centre of an arc with radius by much more, and on a steep helix
-/// that changes the height.
+/// Close to a full circle, the rounding of the ends moves the centre of an arc with radius by much more, and on a steep
+/// helix that changes the height.
 #[test]
 fn a_radius_is_not_written_where_it_displaces_a_steep_helix() {
     let axis = UnitVector3::new_normalize(Vector3::new(0.797_319_3, -0.210_594_66, 0.565_625_16));

@@ -1,7 +1,7 @@
 //! The contour of the program, offset as the control offsets it, in the words of the program.
 //!
-//! Where D holds the radius, the offset is the radius of the tool. Where it holds the wear, this may have either sign up to
-//! `compensation.largest_wear`, so both are compared.
+//! Where D holds the radius, the offset is the radius of the tool. Where it holds the wear, this may have either sign
+//! up to `compensation.largest_wear`, so both are compared.
 
 use std::collections::BTreeSet;
 

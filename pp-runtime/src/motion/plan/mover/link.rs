@@ -8,8 +8,9 @@ use crate::motion::plan::rapid::LinkForm;
 use crate::motion::step::{BlockReason, Sink};
 
 impl<S: Sink> Mover<'_, S> {
-    /// Whether the axes can follow the path of a rapid to a place: the rotary axes take the nearest angles, every piece is
-    /// certified, and within the limits. Where the course has other angles, it rewinds an axis or changes the branch.
+    /// Whether the axes can follow the path of a rapid to a place: the rotary axes take the nearest angles, every piece
+    /// is certified, and within the limits. Where the course has other angles, it rewinds an axis or changes the
+    /// branch.
     pub(crate) fn follows(&mut self, pose: &Pose, place: &AxisPosition) -> bool {
         let (start, angle_rad) = (*self.position.place(), self.policy.options.axis_tolerance_path_rad);
         let mut pieces = Linearised::new(&start, place, self.tolerance, self.law);

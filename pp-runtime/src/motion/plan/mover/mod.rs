@@ -1,8 +1,8 @@
-//! The mover: holds the position of the axes, computes the words of poses, and writes each motion in one or more blocks.
-//! Nothing else moves the machine.
+//! The mover: holds the position of the axes, computes the words of poses, and writes each motion in one or more
+//! blocks. Nothing else moves the machine.
 //!
-//! The [`Planner`](crate::motion::plan::Planner) decides the next motion. Decided here are rounding, linearisation, feed,
-//! rollover, limits, clamps, and the frame of the control.
+//! The [`Planner`](crate::motion::plan::Planner) decides the next motion. Decided here are rounding, linearisation,
+//! feed, rollover, limits, clamps, and the frame of the control.
 
 mod link;
 mod retract;
@@ -30,7 +30,8 @@ use crate::motion::step::{BlockReason, ReachedPosition};
 use crate::motion::tolerances::{CONVERTED_NOISE, HELD_AXIS};
 use crate::shortcut::Shortcut;
 
-/// Largest move of the linear axes, in last digits of their words, that is rounding beside a rotation of more than the second.
+/// Largest move of the linear axes, in last digits of their words, that is rounding beside a rotation of more than the
+/// second.
 const FAINT_MOVE: i64 = 2;
 const ROTATES_BESIDE: i64 = 1000;
 
@@ -127,8 +128,8 @@ impl<'a, S: Sink> Mover<'a, S> {
         }
     }
 
-    /// A pose of the path at which the motion at hand is divided: where the control finds the rotary angles, the one of these
-    /// rotary words.
+    /// A pose of the path at which the motion at hand is divided: where the control finds the rotary angles, the one of
+    /// these rotary words.
     pub(crate) fn bend(&mut self, pose: Pose, words: &RotaryWords) -> Pose {
         let Some((axis, angle)) = self.placer.axis_where_divided(&pose, words) else { return pose };
         self.bent_rad = self.bent_rad.max(angle);
@@ -308,8 +309,8 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.feeds.pace(rate, motion)
     }
 
-    /// Whether no axis exceeds its speed within a block that takes as long as the axes take from one end to the other: the axes
-    /// move evenly, or the control slows down by itself.
+    /// Whether no axis exceeds its speed within a block that takes as long as the axes take from one end to the other:
+    /// the axes move evenly, or the control slows down by itself.
     pub(crate) fn holds_axis_speeds(&self) -> bool {
         self.placer.mode() != StretchMode::Tcp || self.abilities.tip.is_none_or(|tip| tip.holds_axis_speeds)
     }
@@ -341,13 +342,13 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.write_feed(place, &pace, block, None)
     }
 
-    /// Writes a feed motion with rotation of an axis in as many blocks as keep tip and tool axis within tolerance. The travel at
-    /// its end has been compared.
+    /// Writes a feed motion with rotation of an axis in as many blocks as keep tip and tool axis within tolerance. The
+    /// travel at its end has been compared.
     pub(crate) fn feed_in_pieces(&mut self, place: &AxisPosition, rate: f64, tolerance: PathTolerance) -> Planned {
         self.feed_in_step(place, rate, self.block_to(place), tolerance)
     }
 
-    /// The same; `block`: the motion in one block.
+    /// [`feed_in_pieces`](Self::feed_in_pieces) with the motion in one block, `block`.
     #[inline(always)]
     fn feed_in_step(
         &mut self,
@@ -369,7 +370,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.feed_piece((place, tip_rate), rate, block, None)
     }
 
-    /// The same where one block does not certify.
+    /// Writes the feed motion in several blocks, where one does not certify.
     fn feed_in_several(&mut self, place: &AxisPosition, rate: f64, tolerance: PathTolerance) -> Planned {
         let mut pieces = Linearised::new(self.here(), place, tolerance, self.law);
         let mut blocks = 0;
@@ -387,8 +388,9 @@ impl<'a, S: Sink> Mover<'a, S> {
         Ok(())
     }
 
-    /// Adds up the rotation of the rotary axes while the tip rests and the tool axis keeps to its tolerance, and refuses more than
-    /// `course.rotation_at_pole` permits. Without a tolerance of the tool axis the tool swings, as configured.
+    /// Adds up the rotation of the rotary axes while the tip rests and the tool axis keeps to its tolerance, and
+    /// refuses more than `course.rotation_at_pole` permits. Without a tolerance of the tool axis the tool swings, as
+    /// configured.
     #[inline]
     fn note_rotation_on_spot(
         &mut self,
@@ -403,7 +405,7 @@ impl<'a, S: Sink> Mover<'a, S> {
         }
     }
 
-    /// The same, where the tip rests and the tool axis has a tolerance.
+    /// Adds up the rotation of a block in which the tip rests and the tool axis has a tolerance.
     #[cold]
     fn rotate_on_spot(&mut self, to: &AxisPosition, block: BlockMotion, tolerance: PathTolerance) -> Result<(), Fault> {
         if angle_between(&self.here().pose.axis, &to.pose.axis) > tolerance.axis_rad {
@@ -484,8 +486,8 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.output.move_step(step, reached, None)
     }
 
-    /// Writes a rapid inside an operation as configured by `rapid`. Always one block where a rotary axis rotates by more than
-    /// the index angle: the course of such a rapid is no path that could be followed at feed.
+    /// Writes a rapid inside an operation as configured by `rapid`. Always one block where a rotary axis rotates by
+    /// more than the index angle: the course of such a rapid is no path that could be followed at feed.
     pub(crate) fn rapid_as_configured(&mut self, motion: &Move, place: &AxisPosition) -> Planned {
         self.note_rotation(place);
         match (self.policy.options.rapids.rapid, self.policy.options.rapids.rapid_feed_mm_per_min) {
@@ -537,7 +539,8 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.rapid_partly(at, words)
     }
 
-    /// Writes a rapid of linear axes to their positions at a place, in words of another frame; the others have not arrived.
+    /// Writes a rapid of linear axes to their positions at a place, in words of another frame; the others have not
+    /// arrived.
     pub(crate) fn rapid_across(&mut self, to: &AxisPosition, words: AxisWords) -> Planned {
         self.output.times_mut().rapid(self.placer.least_minutes_of(self.position.place(), to, words.mask));
         self.rapid_partly(to, words)

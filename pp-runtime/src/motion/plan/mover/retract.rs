@@ -69,8 +69,8 @@ impl<S: Sink> Mover<'_, S> {
         Ok(())
     }
 
-    /// A place in the frame of the following motions, and the step that sets this frame; no plane is set that is not tilted,
-    /// with the rotary axes at zero. The frame may depend on the rotary angles of the place. Moves nothing.
+    /// A place in the frame of the following motions, and the step that sets this frame; no plane is set that is not
+    /// tilted, with the rotary axes at zero. The frame may depend on the rotary angles of the place. Moves nothing.
     pub(crate) fn framed_at(&mut self, place: AxisPosition) -> Result<(AxisPosition, Option<Step<'static>>), Fault> {
         match (self.placer.mode(), self.abilities.plane) {
             (StretchMode::Axes, _) => Ok((place, None)),
@@ -102,8 +102,8 @@ impl<S: Sink> Mover<'_, S> {
         self.clamps.approach();
     }
 
-    /// Moves from the machine retract to the approach point: unclamp, the rotary axes alone, tip control or tilted plane,
-    /// clamp, the other linear axes, the retract axis. The caller sets the position.
+    /// Moves from the machine retract to the approach point: unclamp, the rotary axes alone, tip control or tilted
+    /// plane, clamp, the other linear axes, the retract axis. The caller sets the position.
     pub(crate) fn approach_from_retract(&mut self, above: &AxisPosition, frame: Option<Step<'static>>) -> Planned {
         self.check_below_retract(above, "the approach point")?;
         let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
@@ -150,8 +150,9 @@ impl<S: Sink> Mover<'_, S> {
         self.rapid(above, last)
     }
 
-    /// Moves the linear axes other than the retract axis to their home positions, where the rotary axes may rotate on the way to
-    /// a place and the configuration asks for it; `unsure`: they may rotate although the place has their angles.
+    /// Moves the linear axes other than the retract axis to their home positions, where the rotary axes may rotate on
+    /// the way to a place and the configuration asks for it; `unsure`: they may rotate although the place has their
+    /// angles.
     fn home_before_rotation(&mut self, to: &AxisPosition, unsure: bool) -> Planned {
         let (retract, rotary) = (&self.policy.options.retract, self.placer.rotary_mask());
         let rotates = |index: usize| self.position.place().words[index] != to.words[index];
@@ -178,7 +179,8 @@ impl<S: Sink> Mover<'_, S> {
         Ok(())
     }
 
-    /// Whether the way between a place and the retract position leads away from the part, as far as `machine_zero` is known.
+    /// Whether the way between a place and the retract position leads away from the part, as far as `machine_zero` is
+    /// known.
     fn check_below_retract(&self, place: &AxisPosition, what: &str) -> Result<(), Fault> {
         let retract = self.policy.options.retract.position_mm();
         match self.placer.below_retract(place, retract) {
@@ -216,9 +218,9 @@ impl<S: Sink> Mover<'_, S> {
         self.take_axes_to(&self.policy.options.retract.tool_change_position).map(|_| ())
     }
 
-    /// Moves axes from the machine retract to positions of the configuration: the rotary axes first, the retract axis last.
-    /// Returns the place where the rotary axes then are, if any of them has moved. The course goes on from where they were:
-    /// blocks of the shop follow, or a tool change, after which their angles are unknown.
+    /// Moves axes from the machine retract to positions of the configuration: the rotary axes first, the retract axis
+    /// last. Returns the place where the rotary axes then are, if any of them has moved. The course goes on from where
+    /// they were: blocks of the shop follow, or a tool change, after which their angles are unknown.
     fn take_axes_to(&mut self, positions: &BTreeMap<char, f64>) -> Result<Option<AxisPosition>, ItemError> {
         self.position.leave_parking();
         let (turned, mask) = self.placer.parked(positions, self.position.place())?;

@@ -1,22 +1,23 @@
 //! SINUMERIK: the swivel data record `$TC_CARR` of CYCLE800, and the machine data of TRAORI.
 //!
-//! With `l1` to `l4` the offsets, `R1` and `R2` right-handed rotations about `v1` and `v2` by the axis values, `L` the vector
-//! from the tip to the gauge line and `w` a point of the workpiece (machine coordinates at the zero position), the control
-//! computes, of the part that the data record describes,
+//! With `l1` to `l4` the offsets, `R1` and `R2` right-handed rotations about `v1` and `v2` by the axis values, `L` the
+//! vector from the tip to the gauge line and `w` a point of the workpiece (machine coordinates at the zero position),
+//! the control computes, of the part that the data record describes,
 //!
 //! - the vector from the tip to the machine, type T: `l1 + R1 (l2 + R2 (l3 + L))`, type M: `l1 + R1 (l2 + L)`;
 //! - the position of the workpiece point, type P: `l2 + R1 (l3 + R2 (l4 + w))`, type M: `l3 + R2 (l4 + w)`.
 //!
-//! Sources: Function Manual Tool Compensation (W1), 08/2005, 6FC5397-0BP10-0BA0: p. 2-88 (offsets of a head count from the
-//! tip to the reference point), p. 2-89 (offsets of a table count from the machine reference point to the table; types),
-//! p. 2-92 (right-handed rotation; example of a head), p. 4-3 (example of a table with its result). Commissioning Manual
-//! SINUMERIK Operate (IM9): 03/2013, 6FC5397-1DP40-3BA1, p. 502 (points between which the offsets count, closed chains);
-//! 12/2017, 6FC5397-1DP40-6BA1, p. 572 (machine data of each offset), p. 581 (example of a head), section 21.7.2 (which axis
-//! is the first; the vector of an axis that moves the workpiece is reversed). Function Manual Transformations, 06/2019,
-//! A5E47435470B, p. 148 (MD24100, order of the axes).
+//! Sources: Function Manual Tool Compensation (W1), 08/2005, 6FC5397-0BP10-0BA0: p. 2-88 (offsets of a head count from
+//! the tip to the reference point), p. 2-89 (offsets of a table count from the machine reference point to the table;
+//! types), p. 2-92 (right-handed rotation; example of a head), p. 4-3 (example of a table with its result).
+//! Commissioning Manual SINUMERIK Operate (IM9): 03/2013, 6FC5397-1DP40-3BA1, p. 502 (points between which the offsets
+//! count, closed chains); 12/2017, 6FC5397-1DP40-6BA1, p. 572 (machine data of each offset), p. 581 (example of a
+//! head), section 21.7.2 (which axis is the first; the vector of an axis that moves the workpiece is reversed).
+//! Function Manual Transformations, 06/2019, A5E47435470B, p. 148 (MD24100, order of the axes).
 //!
-//! IM9 p. 572 gives offset `l3` of a table to MD24558 under the name of MD24560. A public list made from the machine data
-//! manual 6FC5397-7AP40-6BA3 (12/2019) has MD24558 for mixed kinematics only, and MD24560 between the two rotary axes.
+//! IM9 p. 572 gives offset `l3` of a table to MD24558 under the name of MD24560. A public list made from the machine
+//! data manual 6FC5397-7AP40-6BA3 (12/2019) has MD24558 for mixed kinematics only, and MD24560 between the two rotary
+//! axes.
 
 mod carrier;
 mod record;

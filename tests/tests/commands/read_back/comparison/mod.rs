@@ -1,8 +1,9 @@
 //! Comparison of the blocks of a program, one after the other, with the GOTOs that they must reach.
 //!
-//! No text is read here: the blocks are those that [`tests::foreign`] has executed. The CL data and the oracle alone decide what a
-//! block must be, as a second opinion beside the product's `check::compare`: no mode, rule or tolerance is taken from there.
-//! This file has the state of the comparison and decides the purpose of a block; `motions` checks each kind of motion.
+//! No text is read here: the blocks are those that [`tests::foreign`] has executed. The CL data and the oracle alone
+//! decide what a block must be, as a second opinion beside the product's `check::compare`: no mode, rule or tolerance
+//! is taken from there. This file has the state of the comparison and decides the purpose of a block; `motions` checks
+//! each kind of motion.
 
 mod motions;
 

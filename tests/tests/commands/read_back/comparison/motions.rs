@@ -95,8 +95,8 @@ impl<M: Machine> Comparison<'_, M> {
         self.pass_repeated();
     }
 
-    /// Checks a block of a motion that rotates an axis, with its feed if it is no rapid; returns whether the block ends before
-    /// the GOTO.
+    /// Checks a block of a motion that rotates an axis, with its feed if it is no rapid; returns whether the block ends
+    /// before the GOTO.
     pub(super) fn piece(
         &mut self,
         line: usize,
@@ -176,8 +176,8 @@ impl<M: Machine> Comparison<'_, M> {
         true
     }
 
-    /// Length that a block takes its time for, mm, and the largest that a bound of its speed may show: the tip is a hundredth
-    /// faster than programmed at most. `rate_mm`: its largest speed times the time of the block.
+    /// Length that a block takes its time for, mm, and the largest that a bound of its speed may show: the tip is a
+    /// hundredth faster than programmed at most. `rate_mm`: its largest speed times the time of the block.
     fn timed_mm(&self, length_mm: f64, rate_mm: f64) -> (f64, f64) {
         let tolerance_mm = if self.set_up.coarse { 1.0 } else { TOLERANCE.0 };
         let led = |rate_mm: f64| timed_mm(length_mm, rate_mm, self.unit);

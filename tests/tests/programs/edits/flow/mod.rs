@@ -1,7 +1,7 @@
 //! Posted programs, rewritten with variables, conditions, loops, jumps and subprograms.
 //!
-//! A rewritten program that does the same must pass its check, and be the same for the foreign interpreter; one that the
-//! foreign interpreter finds harmful must be found by the check. The two read variables and loops independently.
+//! A rewritten program that does the same must pass its check, and be the same for the foreign interpreter; one that
+//! the foreign interpreter finds harmful must be found by the check. The two read variables and loops independently.
 //!
 //! `PP_FLOW=1000 PP_FLOW_SEED=2 cargo test --workspace --test programs edits::flow -- --nocapture` makes more programs.
 
@@ -24,8 +24,8 @@ const PROGRAMS: usize = 300;
 /// Failures that are shown.
 const SHOWN: usize = 10;
 
-/// Findings in programs that do the same, of forms that the check does not read: incremental mode, and calls of Siemens, whose
-/// subprograms are files of their own. Such a program is counted as not read, also where it does harm.
+/// Findings in programs that do the same, of forms that the check does not read: incremental mode, and calls of
+/// Siemens, whose subprograms are files of their own. Such a program is counted as not read, also where it does harm.
 const NOT_READ: [&str; 2] = ["incremental mode (G91) is active", "` is not known to the check; "];
 
 /// How a stretch of a program is rewritten.

@@ -43,8 +43,8 @@ fn count(control: Control, name: usize) -> String {
     }
 }
 
-/// Expressions and their values. AND, OR and XOR of whole numbers on Fanuc and Haas and FIX of a negative number on LinuxCNC
-/// are left out: the check computes them otherwise than the manuals and LinuxCNC.
+/// Expressions and their values. AND, OR and XOR of whole numbers on Fanuc and Haas and FIX of a negative number on
+/// LinuxCNC are left out: the check computes them otherwise than the manuals and LinuxCNC.
 fn expressions(control: Control) -> &'static [(&'static str, f64)] {
     match control {
         LinuxCnc => &[

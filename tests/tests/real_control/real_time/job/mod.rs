@@ -1,11 +1,11 @@
-//! A whole job on the whole control: drilled and tapped along Z, faces milled with the table tilted, with arcs and cutter
-//! compensation, a blade under tip control with a rewind, and a second set-up.
+//! A whole job on the whole control: drilled and tapped along Z, faces milled with the table tilted, with arcs and
+//! cutter compensation, a blade under tip control with a rewind, and a second set-up.
 //!
-//! The program is posted in mode `auto` with M428 and M429, which the control remaps to a change of its kinematics; those
-//! are compiled for the machine. The poses of the tool come from the joints that the control commands, by the oracle, and
-//! are compared with the CL data, which is read without the product: every point, the way between two points in every
-//! servo cycle, every hole. The numbers of the centre lines are those of the machine's declaration; the set-ups are
-//! stated again.
+//! The program is posted in mode `auto` with M428 and M429, which the control remaps to a change of its kinematics;
+//! those are compiled for the machine. The poses of the tool come from the joints that the control commands, by the
+//! oracle, and are compared with the CL data, which is read without the product: every point, the way between two
+//! points in every servo cycle, every hole. The numbers of the centre lines are those of the machine's declaration; the
+//! set-ups are stated again.
 
 mod cl;
 mod compare;

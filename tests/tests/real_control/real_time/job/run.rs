@@ -23,8 +23,8 @@ const TOOLS: [Tool; 4] = [
     Tool { number: 4, length: 130.0, diameter: 6.0 },
 ];
 
-/// Acceleration of the axes, mm/s² and deg/s²: in a thread the control corrects the error of a servo cycle with it, and at a
-/// much higher one it never settles.
+/// Acceleration of the axes, mm/s² and deg/s²: in a thread the control corrects the error of a servo cycle with it, and
+/// at a much higher one it never settles.
 const ACCELERATION: f64 = 1.6e6;
 
 /// Feed override, percent: a test does not wait for the feeds of the job.
