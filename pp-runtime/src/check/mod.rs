@@ -55,6 +55,7 @@ use std::io::{self, Read, Seek};
 pub(crate) use geometry::angle_between;
 pub use policy::CheckPolicy;
 pub use report::{Finding, Outcome};
+#[cfg(feature = "simulate")]
 pub(crate) use stream::Leg;
 pub use stream::{ExecutedBlock, Observer};
 pub(crate) use vocabulary::faults_of_lines;

@@ -48,7 +48,9 @@ use solids::SolidTable;
 
 pub(crate) use machine::{AxisBounds, along_axes};
 pub(crate) use part_rotation::angles as part_angles;
-pub(crate) use solids::{Solid, SolidLink, SolidShape, Solids};
+pub(crate) use solids::Solids;
+#[cfg(feature = "simulate")]
+pub(crate) use solids::{Solid, SolidLink, SolidShape};
 
 /// The point of the tool that the CL data programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
