@@ -13,7 +13,7 @@
 //! use pp_runtime::cl::record::{CoordinateRecord, Record};
 //! use pp_runtime::program::Units;
 //!
-//! assert_eq!(Record::Coordinates(CoordinateRecord::Units(Units::Inches)).to_string(), "UNITS/INCHES");
+//! assert_eq!(Record::Coordinates(CoordinateRecord::Units(Units::Inches)).to_string(), "UNITS/INCH");
 //! ```
 
 mod arc;
