@@ -20,6 +20,9 @@
 //! ```
 
 use std::collections::BTreeMap;
+use std::error::Error;
+use std::fmt::{self, Display, Formatter};
+use std::ops::Deref;
 
 use crate::program::Location;
 
@@ -36,6 +39,16 @@ pub enum Severity {
     Error,
     /// Posting goes on; a person should check this place.
     Warning,
+}
+
+impl Severity {
+    /// Word of a message.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Error => "error",
+            Self::Warning => "warning",
+        }
+    }
 }
 
 /// One error or warning, in a machinist's words, with its remedy.
@@ -61,6 +74,63 @@ impl Diagnostic {
         without_numbers(&self.text, |_| "…")
     }
 }
+
+impl Display for Diagnostic {
+    /// Line, column, severity and text; the remedy on a line of its own. Without a place the text begins with the severity.
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        let Location { line, column } = self.location;
+        if line > 0 {
+            write!(out, "{line}:{column}: ")?;
+        }
+        write!(out, "{}: {}", self.severity.name(), self.text)?;
+        self.help.as_ref().map_or(Ok(()), |help| write!(out, "\nhelp: {help}"))
+    }
+}
+
+/// All faults of a text, in its order: the error of a function that goes on reading after a fault.
+///
+/// ```
+/// use pp_runtime::config::Config;
+/// use pp_runtime::control::LinuxCnc;
+/// # pp_runtime::machine! {
+/// #     /// A table that rotates about Z on a table that tilts about X.
+/// #     pub struct Trunnion;
+/// #     chain: C A | X Y Z;
+/// # }
+///
+/// let read = || -> Result<Config, Box<dyn std::error::Error>> { Ok(Config::read::<Trunnion>("tolerance = -1\n", &LinuxCnc)?) };
+/// assert!(read().is_err_and(|faults| faults.to_string().starts_with("1:13: error: ")));
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Diagnostics(pub(crate) Vec<Diagnostic>);
+
+impl Deref for Diagnostics {
+    type Target = [Diagnostic];
+
+    fn deref(&self) -> &[Diagnostic] {
+        &self.0
+    }
+}
+
+impl IntoIterator for Diagnostics {
+    type Item = Diagnostic;
+    type IntoIter = std::vec::IntoIter<Diagnostic>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
+
+impl Display for Diagnostics {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        self.iter().enumerate().try_for_each(|(index, fault)| {
+            let before = if index == 0 { "" } else { "\n" };
+            write!(out, "{before}{fault}")
+        })
+    }
+}
+
+impl Error for Diagnostics {}
 
 /// A text with every number replaced, and what is quoted in it as `quoted` has it.
 pub(crate) fn without_numbers(text: &str, quoted: impl Fn(&str) -> &str) -> String {

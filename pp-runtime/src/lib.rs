@@ -42,11 +42,14 @@ pub mod control;
 #[cfg(feature = "std")]
 pub mod diag;
 #[cfg(feature = "std")]
+#[doc(hidden)]
+pub mod inside;
+#[cfg(feature = "std")]
 mod keys;
 #[cfg(feature = "std")]
-pub mod motion;
+mod motion;
 #[cfg(feature = "std")]
-pub mod nc;
+mod nc;
 #[cfg(feature = "std")]
 pub mod post;
 #[cfg(feature = "std")]
@@ -54,8 +57,7 @@ pub mod program;
 #[cfg(feature = "std")]
 pub mod set_up;
 #[cfg(feature = "std")]
-#[doc(hidden)]
-pub mod shortcut;
+mod shortcut;
 #[cfg(feature = "simulate")]
 pub mod simulate;
 #[cfg(feature = "std")]

@@ -19,11 +19,14 @@
 //! # Ok::<(), std::io::Error>(())
 //! ```
 
+mod clearance;
 mod quantity;
 
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3};
 
+pub(crate) use clearance::Clearance;
+pub use clearance::ClearancePlane;
 pub(crate) use quantity::Shown;
 
 /// Whether a text is a block of printable ASCII characters, which all controls read alike.
@@ -346,7 +349,7 @@ pub enum Drilling {
 }
 
 /// Largest number of gaps in a hole. With more a hole would be larger than an arc, and so would every event be.
-pub const MOST_GAPS: usize = 3;
+pub(crate) const MOST_GAPS: usize = 3;
 
 const _: () = assert!(size_of::<Hole>() <= size_of::<Arc>());
 
@@ -423,40 +426,6 @@ impl Hole {
     }
 }
 
-/// A plane of the workpiece frame: the points `p` with `normal · p = distance`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ClearancePlane {
-    /// Unit normal, away from the part.
-    pub normal: UnitVector3<f64>,
-    /// Distance from the origin along the normal.
-    pub distance_mm: f64,
-}
-
-/// Clearance geometry around the part in the workpiece frame. Outside it the tool may move freely.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Clearance {
-    /// The half space below a plane.
-    Plane(ClearancePlane),
-    /// A box along the axes of the frame.
-    Box {
-        /// Corner with the smallest X, Y and Z.
-        lower: Point3<f64>,
-        /// Corner with the largest X, Y and Z.
-        upper: Point3<f64>,
-    },
-    /// A cylinder along Z.
-    Cylinder {
-        /// X and Y of its axis.
-        centre: [f64; 2],
-        /// Radius.
-        radius_mm: f64,
-        /// Z of its lower end.
-        lower_z_mm: f64,
-        /// Z of its upper end.
-        upper_z_mm: f64,
-    },
-}
-
 /// Cutter compensation: CUTCOM.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Compensation {
@@ -495,6 +464,7 @@ pub enum RotaryDirection {
 /// A pass over the program matches the events that it acts on, and all others by their group: a new event of a group
 /// has the properties of that group everywhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Event<'a> {
     /// A motion of the tool.
     Motion(ToolMotion<'a>),
@@ -526,6 +496,7 @@ impl Event<'_> {
 
 /// A motion of the tool. Only these and [`ReferenceGeometry`] have points and directions.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum ToolMotion<'a> {
     /// GOTO.
     Move(Move),
@@ -539,6 +510,7 @@ pub enum ToolMotion<'a> {
 
 /// Instruction at which the path ends. The next motion begins an operation, and cutter compensation must be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum NewStart<'a> {
     /// TOOL PATH: begin of an operation, with its name, UTF-8.
     Operation(&'a [u8]),
@@ -568,6 +540,7 @@ impl NewStart<'_> {
 /// Instruction after which the position of the machine, or its state, is unknown. The next motion begins an operation,
 /// and cutter compensation must be off.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Interruption<'a> {
     /// STOP.
     Stop,
@@ -637,6 +610,7 @@ impl Interruption<'_> {
 
 /// Function of the machine or of its control. The path goes on after it, also with cutter compensation.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum MachineFunction {
     /// SPINDL.
     Spindle(Spindle),
@@ -656,6 +630,7 @@ pub enum MachineFunction {
 
 /// Point or plane in the workpiece frame that is not on the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum ReferenceGeometry {
     /// FROM: point and tool axis at the start.
     From(Pose),
@@ -665,6 +640,7 @@ pub enum ReferenceGeometry {
 
 /// Kind of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum TextKind {
     /// PARTNO: name of the program.
     Name,

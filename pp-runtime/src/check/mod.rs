@@ -40,7 +40,7 @@ mod compare;
 mod edits;
 mod expect;
 mod geometry;
-pub mod policy;
+pub(crate) mod policy;
 pub mod read;
 mod report;
 mod rules;
@@ -54,8 +54,10 @@ use std::io::{self, Read, Seek};
 #[cfg(feature = "simulate")]
 pub(crate) use geometry::angle_between;
 pub use policy::CheckPolicy;
-pub use report::{Finding, Outcome, PermittedEdit};
-pub use stream::{ExecutedBlock, Leg, Observer};
+pub use report::{Finding, Outcome};
+#[cfg(feature = "simulate")]
+pub(crate) use stream::Leg;
+pub use stream::{ExecutedBlock, Observer};
 pub(crate) use vocabulary::faults_of_lines;
 
 use crate::cl::{ClData, FromHere, ReadSeek};
@@ -115,7 +117,7 @@ pub fn check<M: Machine>(
 ///
 /// # Errors
 /// Those of [`check()`].
-pub fn check_for(
+pub(crate) fn check_for(
     machine: &dyn AnyMachine,
     policy: &CheckPolicy,
     input: &mut dyn ReadSeek,
@@ -212,7 +214,7 @@ pub fn blocks<M: Machine>(policy: &CheckPolicy, mut program: impl Read) -> Resul
 ///
 /// # Errors
 /// Those of [`blocks`].
-pub fn blocks_for(
+pub(crate) fn blocks_for(
     machine: &dyn AnyMachine,
     policy: &CheckPolicy,
     mut program: &mut dyn Read,
@@ -230,7 +232,7 @@ pub fn blocks_for(
 ///
 /// # Errors
 /// Errors of the output.
-pub fn codes(family: read::Family, out: &mut dyn io::Write) -> io::Result<()> {
+pub(crate) fn codes(family: read::Family, out: &mut dyn io::Write) -> io::Result<()> {
     read::table(family, out)
 }
 

@@ -26,6 +26,7 @@ use crate::set_up::SetUp;
 
 /// Meaning of the words of a program, the motion between cuts, and the tolerances of a check.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct CheckPolicy {
     /// Family of the control that runs the program.
     pub family: Family,

@@ -2,6 +2,7 @@
 
 /// The CAM system that wrote a file. Each has a record or comment that identifies it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
 pub enum Dialect {
     /// Not identified.
     #[default]

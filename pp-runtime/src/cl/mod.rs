@@ -45,9 +45,8 @@ mod tests;
 pub(crate) use self::batch::FileFacts;
 pub use self::dialect::Dialect;
 pub(crate) use self::events::{ClData, ClEvents, FromHere};
-pub use self::meaning::{
-    ArcVote, CycleArg, FeedLabel, FrameVote, Frames, Insert, ReadingOptions, Sense, SetUpBegins, StatedFrame,
-    StatedTool, ToolArg,
-};
-pub use self::reader::{ClReader, ReadSeek};
-pub use self::record::{OwnStatement, Record, list as list_words, not_inert};
+pub(crate) use self::meaning::{ArcVote, FrameVote, SetUpBegins, StatedTool};
+pub use self::meaning::{CycleArg, FeedLabel, Frames, Insert, ReadingOptions, Sense, ToolArg};
+pub use self::reader::ClReader;
+pub(crate) use self::reader::ReadSeek;
+pub(crate) use self::record::{OwnStatement, list as list_words, not_inert};

@@ -125,7 +125,7 @@ impl<'a> MessageWriter<'a> {
             line: Some(diagnostic.location.line),
             column: Some(diagnostic.location.column),
             length: Some(diagnostic.length),
-            severity: name(diagnostic.severity),
+            severity: diagnostic.severity.name(),
             text: &diagnostic.text,
             help: diagnostic.help.as_deref(),
             count: diagnostic.count,
@@ -138,7 +138,7 @@ impl<'a> MessageWriter<'a> {
         let mut kinds: BTreeMap<String, KindCount> = BTreeMap::new();
         let mut shown = Vec::new();
         for diagnostic in ordered {
-            let kind = kinds.entry(format!("{}: {}", name(diagnostic.severity), diagnostic.kind())).or_default();
+            let kind = kinds.entry(format!("{}: {}", diagnostic.severity.name(), diagnostic.kind())).or_default();
             if kind.count < LISTED_OF_A_KIND {
                 shown.push(*diagnostic);
             }
@@ -224,14 +224,7 @@ struct KindCount {
 /// First line of a diagnostic: `part.cls:12:5: error: text`.
 pub(crate) fn headline(file: &str, diagnostic: &Diagnostic) -> String {
     let Location { line, column } = diagnostic.location;
-    format!("{file}:{line}:{column}: {}: {}", name(diagnostic.severity), diagnostic.text)
-}
-
-fn name(severity: Severity) -> &'static str {
-    match severity {
-        Severity::Error => "error",
-        Severity::Warning => "warning",
-    }
+    format!("{file}:{line}:{column}: {}: {}", diagnostic.severity.name(), diagnostic.text)
 }
 
 /// Number of characters to mark. A diagnostic about a whole statement points at its first byte; then the word that

@@ -39,26 +39,18 @@ use std::collections::BTreeSet;
 use crate::cl::{self as reading, OwnStatement};
 use crate::control::{self, Control, ControlOptions, Demands, LineEffect, take_out_lacking};
 use crate::keys::{OneOf, options};
-use crate::motion::{self, Policy, StandstillWord};
+use crate::motion::{Policy, StandstillWord};
 use crate::nc;
+use crate::program::Units;
 use crate::set_up::SetUp;
 
-pub use crate::control::ProgramBlocks;
 pub(crate) use crate::keys::{list, nearest};
-pub use crate::motion::{
-    Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
-    Defaults, FeedLimits, GuardOptions, Mode, OperationChoice, OperationEntry, OperationSettings, OperationTable,
-    Operations, PathNorm, Rapid, RapidOptions, Retract, Rewind, RotaryOptions, Singular, Smoothing, TcpFrame, TcpWords,
-    TipOptions, ToolPosture, Transition, Wrap,
-};
-pub use crate::nc::Formats;
-pub use crate::program::Units;
-pub use crate::set_up::{AxisBounds, GivenTool, LengthMode, ProgramZero, Solid, SolidLink, SolidShape, Solids, Stock};
+pub use crate::motion::{Mode, MotionOptions, Operations, TcpFrame, TcpWords, ToolPosture, Transition};
 pub use checking::NotCheckable;
-pub use edits::EditOptions;
+pub(crate) use edits::EditOptions;
 pub use print::print;
 pub(crate) use read::read_edits;
-pub use schema::schema;
+pub(crate) use schema::schema;
 
 options! {
     /// All options of a job, by stage. The default is that of LinuxCNC; for another control take its
@@ -73,7 +65,7 @@ options! {
         /// Set-up: machine, part and tools.
         set_up: SetUp = SetUp::default(), keys();
         /// How motion is planned.
-        motion: motion::MotionOptions = motion::MotionOptions::default(), keys();
+        motion: MotionOptions = MotionOptions::default(), keys();
         /// Digits of the words.
         formats: nc::Formats = nc::Formats::DEFAULT, keys();
         /// How the control differs from its table.
@@ -149,8 +141,7 @@ impl Config {
     }
 
     /// The part of the configuration that the planner reads.
-    #[must_use]
-    pub fn policy(&self) -> Policy<'_> {
+    pub(crate) fn policy(&self) -> Policy<'_> {
         self.demands().policy()
     }
 
@@ -165,8 +156,7 @@ impl Config {
     }
 
     /// The part of the configuration that the control reads.
-    #[must_use]
-    pub fn demands(&self) -> Demands<'_> {
+    pub(crate) fn demands(&self) -> Demands<'_> {
         Demands { set_up: &self.set_up, motion: &self.motion, options: &self.control, formats: &self.formats }
     }
 }

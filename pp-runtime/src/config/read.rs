@@ -4,15 +4,17 @@ use toml::de::DeTable;
 
 use crate::cl::SetUpBegins;
 use crate::control::{CONTROLS, Control};
-use crate::diag::Diagnostic;
+use crate::diag::Diagnostics;
 use crate::keys::{KeyReader, KeyScope, KeyTable, Keys};
 use crate::kinematics::{AnyMachine, Machine};
+use crate::motion::Rapid;
+use crate::program::Units;
 use crate::set_up::{LengthMode, along_axes};
 
-use super::{Config, EditOptions, Rapid, Units, starting_point};
+use super::{Config, EditOptions, starting_point};
 
 /// Reads a file with the table `[check]` alone, and its faults.
-pub(crate) fn read_edits(machine: &dyn AnyMachine, text: &str) -> Result<EditOptions, Vec<Diagnostic>> {
+pub(crate) fn read_edits(machine: &dyn AnyMachine, text: &str) -> Result<EditOptions, Diagnostics> {
     let mut reader = KeyReader::new(text, scope(machine));
     let (root, errors) = DeTable::parse_recoverable(text);
     for error in &errors {
@@ -34,7 +36,7 @@ impl Config {
     ///
     /// # Errors
     /// All faults of the file, in the order of the text.
-    pub fn read<M: Machine>(text: &str, control: &dyn Control) -> Result<Self, Vec<Diagnostic>> {
+    pub fn read<M: Machine>(text: &str, control: &dyn Control) -> Result<Self, Diagnostics> {
         starting_point(control).read_over(&M::default(), text)
     }
 
@@ -43,7 +45,7 @@ impl Config {
     ///
     /// # Errors
     /// All faults of the file, in the order of the text.
-    pub fn read_over(mut self, machine: &dyn AnyMachine, text: &str) -> Result<Self, Vec<Diagnostic>> {
+    pub fn read_over(mut self, machine: &dyn AnyMachine, text: &str) -> Result<Self, Diagnostics> {
         let mut reader = KeyReader::new(text, scope(machine));
         let (root, errors) = DeTable::parse_recoverable(text);
         for error in &errors {

@@ -4,13 +4,14 @@ use serde_json::{Value as Json, json};
 
 use crate::keys::{KeyKind, KeyList, OneOf};
 use crate::kinematics::AnyMachine;
+use crate::program::Units;
 
+use super::Config;
 use super::read::scope;
-use super::{Config, Units};
 
 /// Returns the JSON schema of a configuration file for `machine`. `config`: the defaults of the control.
 #[must_use]
-pub fn schema(machine: &dyn AnyMachine, config: &Config) -> String {
+pub(crate) fn schema(machine: &dyn AnyMachine, config: &Config) -> String {
     let scope = scope(machine);
     let mut schema = KeyList::of(config, scope).schema();
     schema["properties"]["units"] = OneOf(&Units::NAMES).schema(&scope);

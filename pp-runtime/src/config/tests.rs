@@ -8,7 +8,9 @@ use proptest::prelude::*;
 use crate::control::{CONTROLS, LinuxCnc};
 use crate::kinematics::Limits;
 use crate::kinematics::Machine as _;
+use crate::motion::{Rapid, Retract};
 use crate::program::{Coolant, Coolants, Pressure, Rotation};
+use crate::set_up::Stock;
 
 use super::sample::Sample;
 use super::*;
@@ -208,10 +210,7 @@ fn a_key_below_the_wrong_header_is_reported_with_its_right_place() {
 fn keys_of_rapids_feeds_course_and_grid_are_read() {
     let config =
         read("rapid = 'feed'\nrapid_feed = 9000\n[feed]\nkeep_speeds = false\nlargest = 5000\nshortest_block = 0.01\n");
-    assert_eq!(
-        (config.motion.rapids.rapid, config.motion.rapids.rapid_feed_mm_per_min),
-        (super::Rapid::Feed, Some(9000.0))
-    );
+    assert_eq!((config.motion.rapids.rapid, config.motion.rapids.rapid_feed_mm_per_min), (Rapid::Feed, Some(9000.0)));
     assert_eq!((config.motion.feed.keep_speeds, config.motion.feed.largest_mm_per_min), (false, Some(5000.0)));
     let help = "give it per minute: `rapid_feed = 10000`";
     assert_eq!(faults("rapid = 'feed'\n"), [format!("1:1: rapid = \"feed\" needs `rapid_feed` | {help}")]);

@@ -27,7 +27,7 @@ const LONGEST_TOOL_NAME: usize = 32;
 /// configuration do not suit the mode. One sentence each; empty if a program can be written. In mode `auto` a setting
 /// may still be missing for a stretch. What a program does without is in [`take_out_lacking`](super::take_out_lacking).
 #[must_use]
-pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
+pub(crate) fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let mut faults = unsupported(control, demands);
     faults.extend(unsuited_names(machine, control.spellings(), demands));
     faults.extend(unreadable_axis(control, demands));
@@ -49,7 +49,7 @@ pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'
 
 /// The modes that mode `auto` chooses from.
 #[must_use]
-pub fn usable_modes(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> UsableModes {
+pub(crate) fn usable_modes(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> UsableModes {
     let abilities = abilities(control, demands);
     let has_planes = abilities.has_planes(machine.axes());
     UsableModes::of(machine, demands.policy(), control.spellings().title, abilities.tip, has_planes)
@@ -445,7 +445,7 @@ fn cycle_abilities(codes: &Spellings, demands: Demands<'_>) -> CycleAbilities {
 
 /// Functions of the control that the planner may use.
 #[must_use]
-pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
+pub(crate) fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
     let codes = control.spellings();
     let has = |kind: &Coolant| {
         kind.index().is_some_and(|index| {

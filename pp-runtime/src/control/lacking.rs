@@ -13,7 +13,7 @@ use crate::motion::{OperationTable, PathNorm, Smoothing};
 
 /// Takes the settings that the control lacks out of the options. Returns one sentence each: the setting, and what the
 /// program has instead.
-pub fn take_out_lacking(
+pub(crate) fn take_out_lacking(
     control: &dyn Control,
     options: &mut ControlOptions,
     operations: &mut OperationTable,

@@ -12,7 +12,7 @@ use crate::program::Units;
 
 /// The data of a job that the encoder reads.
 #[derive(Debug, Clone, Default)]
-pub struct Layout {
+pub(crate) struct Layout {
     /// Letter of each axis in chain order, with the decimals of its words. In a block they come as X Y Z U V W A B C.
     pub axes: Vec<(char, u32)>,
     /// Unit of lengths.
@@ -51,7 +51,7 @@ pub struct Layout {
 
 /// Frames of the control that a program uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct FramesUsed {
+pub(crate) struct FramesUsed {
     /// Stretches of the program are under tip control.
     pub tip_control: bool,
     /// It has tilted planes: for stretches, or where tip control begins.
@@ -78,7 +78,7 @@ impl FramesUsed {
 impl Layout {
     /// The layout of a job for a machine; `abilities`: those of its control, `modes`: of the stretches of its program.
     #[must_use]
-    pub fn new(
+    pub(crate) fn new(
         machine: &dyn AnyMachine,
         demands: Demands<'_>,
         abilities: &Abilities,

@@ -39,18 +39,20 @@ pub mod template;
 #[cfg(test)]
 mod tests;
 
-// Every control by name, and the types of its table.
-pub use dialects::*;
-pub use encode::Encoder;
-pub(crate) use encode::comments;
-pub use fit::{abilities, unfit, usable_modes};
-pub(crate) use foreign::of_another_control;
-pub use lacking::take_out_lacking;
-pub use layout::{FramesUsed, Layout};
-pub use mill_turn::{MillTurn, ToolSpindle};
-pub use options::{
-    BlockNumbers, ControlOptions, Demands, Messages, PlaneBy, ProgramBlocks, ProgramHeader, RetractMethod,
-    TipControlSwitch,
+pub use dialects::{
+    BlankWords, CONTROLS, Control, Fanuc, Haas, Heidenhain, LengthGuard, LineEffect, LinuxCnc, PlaneGuard, RadiusGuard,
+    Siemens, Spellings, by_name,
 };
+pub(crate) use dialects::{ControlFunction, CycleForm, LinearRapids, RetractForm, is_default_family};
+pub(crate) use encode::{Encoder, comments};
+pub(crate) use fit::{abilities, unfit, usable_modes};
+pub(crate) use foreign::of_another_control;
+pub(crate) use lacking::take_out_lacking;
+pub(crate) use layout::{FramesUsed, Layout};
+pub(crate) use mill_turn::ToolSpindle;
+pub(crate) use options::{BlockNumbers, Demands, Messages, ProgramHeader};
+pub use options::{ControlOptions, PlaneBy, TipControlSwitch};
 pub(crate) use state_values::{ControlState, StepCycles};
 pub(crate) use states::{ProgramUses, conditions, write_table};
+#[cfg(test)]
+pub(crate) use {dialects::HoleCycles, mill_turn::MillTurn, options::ProgramBlocks};

@@ -21,7 +21,7 @@ use super::template::{self, BadTemplate, Field, OF_PROGRAM, OF_TOOL};
 
 /// The data of a job that a control may read: for the encoder, and to find settings that it does not support.
 #[derive(Debug, Clone, Copy)]
-pub struct Demands<'a> {
+pub(crate) struct Demands<'a> {
     /// Set-up of machine, part and tools.
     pub set_up: &'a SetUp,
     /// Settings of motion planning.
@@ -35,7 +35,7 @@ pub struct Demands<'a> {
 impl<'a> Demands<'a> {
     /// The part that the planner reads.
     #[must_use]
-    pub fn policy(self) -> Policy<'a> {
+    pub(crate) fn policy(self) -> Policy<'a> {
         Policy { set_up: self.set_up, options: self.motion, formats: self.formats }
     }
 }

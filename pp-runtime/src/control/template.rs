@@ -119,10 +119,11 @@ fields! {
 }
 
 /// Fields that have a value in the whole program.
-pub const OF_PROGRAM: &[Field] = &[Field::Name, Field::Number, Field::Units, Field::WorkOffset, Field::PathTolerance];
+pub(crate) const OF_PROGRAM: &[Field] =
+    &[Field::Name, Field::Number, Field::Units, Field::WorkOffset, Field::PathTolerance];
 
 /// Fields that have a value in a tool change.
-pub const OF_TOOL: &[Field] = &[
+pub(crate) const OF_TOOL: &[Field] = &[
     Field::Name,
     Field::Number,
     Field::Units,
@@ -137,7 +138,8 @@ pub const OF_TOOL: &[Field] = &[
 ];
 
 /// Fields that have a value in a hole cycle.
-pub const OF_CYCLE: &[Field] = &[
+#[cfg(test)]
+pub(crate) const OF_CYCLE: &[Field] = &[
     Field::Surface,
     Field::Clearance,
     Field::Bottom,

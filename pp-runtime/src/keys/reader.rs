@@ -7,7 +7,7 @@ use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, Diagnostics, Severity};
 use crate::kinematics::{Axis, Limits};
 use crate::program::{Location, Units};
 
@@ -182,9 +182,9 @@ impl<'t> KeyReader<'t> {
     }
 
     /// All faults in the order of the text.
-    pub(crate) fn into_faults(mut self) -> Vec<Diagnostic> {
+    pub(crate) fn into_faults(mut self) -> Diagnostics {
         self.faults.sort_by_key(|fault| fault.location);
-        self.faults
+        Diagnostics(self.faults)
     }
 
     pub(crate) fn fault(&mut self, span: Range<usize>, text: impl Into<String>, help: Option<String>) {

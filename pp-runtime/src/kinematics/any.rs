@@ -7,7 +7,7 @@
 //! whose type is known a call would be ambiguous. Methods of `dyn AnyMachine` need no import.
 //!
 //! ```
-//! use pp_runtime::kinematics::any::AnyMachine;
+//! use pp_runtime::kinematics::AnyMachine;
 //! # pp_runtime::machine! {
 //! #     /// A table that rotates about Z on a table that tilts about X.
 //! #     pub struct Trunnion;

@@ -15,22 +15,8 @@ const PRINTED: usize = 8;
 ///
 /// Two posts with the same digest have the same kinematics. Name, part origin and gauge length have no influence. It
 /// traces programs; it is no protection against intent.
-///
-/// ```
-/// use pp_runtime::kinematics::digest;
-/// # pp_runtime::machine! {
-/// #     /// A table that rotates about Z on a table that tilts about X.
-/// #     pub struct Trunnion;
-/// #     chain: C A | X Y Z;
-/// #     dims = { d: 50 };
-/// #     d = { C: (0, d, 0) };
-/// # }
-///
-/// assert_eq!(digest(&Trunnion::default()), digest(&Trunnion::default()));
-/// assert_ne!(digest(&Trunnion::default()), digest(&Trunnion { d: 50.02, ..Trunnion::default() }));
-/// ```
 #[must_use]
-pub fn digest(machine: &dyn AnyMachine) -> String {
+pub(crate) fn digest(machine: &dyn AnyMachine) -> String {
     let printed = Sha256::digest(canonical(machine));
     printed.iter().take(PRINTED).fold(String::new(), |mut text, byte| {
         // Writing to a string cannot fail.

@@ -172,7 +172,7 @@ pub struct Joint {
 /// chain order, mm and radians, held axes included.
 ///
 /// Axis values have the length of the chain, so that the generated functions stay straight-line code. Reader, planner,
-/// controls and check are compiled once for all machines: they use the object-safe form, `kinematics::any::AnyMachine`.
+/// controls and check are compiled once for all machines: they use the object-safe form, `AnyMachine`.
 pub trait Machine: Default + Clone + Send + Sync + 'static {
     /// `[f64; N]` in chain order.
     type Axes: Copy + Default + PartialEq + Debug + Send + Sync + 'static + AsRef<[f64]> + AsMut<[f64]>;

@@ -27,7 +27,7 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 #[cfg(feature = "std")]
-pub mod any;
+mod any;
 #[cfg(feature = "std")]
 mod digest;
 mod explanation;
@@ -45,19 +45,21 @@ mod solutions;
 mod words;
 
 #[cfg(feature = "std")]
-pub(crate) use any::{AnyMachine, carried};
+pub(crate) use any::carried;
 #[cfg(feature = "std")]
-pub use any::{AxisValues, MAX_AXES};
+pub use any::{AnyMachine, AxisValues, MAX_AXES};
 #[cfg(feature = "std")]
-pub use digest::digest;
+pub(crate) use digest::digest;
 pub use explanation::{CSource, Explanation, Section};
 pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, PoseTolerance, Side, Sign};
+#[cfg(feature = "std")]
+pub(crate) use motion::BlockDeviation;
 #[cfg(feature = "simulate")]
-pub use motion::StepBound;
-pub use motion::{BlockCurves, BlockDeviation, Curve, MotionBound, RoughDeviation, curves_of_joints, rates_of_joints};
+pub(crate) use motion::StepBound;
+pub use motion::{BlockCurves, Curve, MotionBound, RoughDeviation, curves_of_joints, rates_of_joints};
 pub use nearest::{NotNearest, nearest};
 #[cfg(feature = "simulate")]
-pub use ranges::AxisRanges;
+pub(crate) use ranges::AxisRanges;
 pub use refusal::{Cone, Invalid, Unreachable};
 pub use solutions::{Branch, RotaryAngles, Solution, Solutions};
 #[cfg(feature = "std")]

@@ -127,6 +127,7 @@ pub struct RoughDeviation {
 
 /// Deviation of a block, compared with another one.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg(feature = "std")]
 pub enum BlockDeviation {
     /// It is below that one in each part.
     Below {

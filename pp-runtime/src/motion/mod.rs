@@ -47,33 +47,34 @@ pub(crate) mod tolerances;
 #[cfg(test)]
 mod tests;
 
-pub use course::{Course, Navigator};
+pub(crate) use course::Course;
+pub use course::Navigator;
 pub use fault::PlanningError;
-pub(crate) use geometry::extent;
-pub use geometry::{ArcPlane, Circle, StraightCorners};
-pub use modes::{ModeFinder, StretchModes};
-pub(crate) use options::nearly_zero;
-pub use options::{
-    Approach, ArcForm, ArcOptions, ArcOutput, BoreRetract, ClampCodes, CoolantOptions, CourseOptions, CutterPath,
-    CycleOptions, CycleOutput, Defaults, FeedLimits, GuardOptions, Links, Mode, MotionOptions, OperationChoice,
-    OperationEntry, OperationSettings, OperationTable, Operations, OptionalStops, PathNorm, Policy, Rapid,
-    RapidOptions, Retract, Rewind, RotaryOptions, Singular, Smoothing, StandstillWord, StretchMode, TcpFrame, TcpWords,
-    ThreadFeed, TipOptions, ToolPosture, Transition, Wrap,
+#[cfg(test)]
+pub(crate) use geometry::ArcPlane;
+pub(crate) use geometry::{Circle, StraightCorners, extent};
+pub(crate) use modes::{ModeFinder, StretchModes};
+#[cfg(test)]
+pub(crate) use options::{ArcForm, ArcOutput, ClampCodes, Retract};
+pub(crate) use options::{
+    BoreRetract, CourseOptions, CutterPath, CycleOutput, Links, OperationChoice, OperationEntry, OperationSettings,
+    OperationTable, OptionalStops, PathNorm, Policy, Rapid, Rewind, Singular, Smoothing, StandstillWord, StretchMode,
+    ThreadFeed, Wrap, nearly_zero,
 };
-pub(crate) use place::rotaries_of;
-pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, TipStart, UsableModes, unsuited};
-pub(crate) use plan::hole_extent;
+pub use options::{Mode, MotionOptions, Operations, TcpFrame, TcpWords, ToolPosture, Transition};
+pub(crate) use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, TipStart, UsableModes, rotaries_of, unsuited};
 #[cfg(test)]
 pub(crate) use plan::obligations;
-pub use plan::{
-    Abilities, ChordedArcs, CutterRadius, FastestRotation, MovingAxes, OperationBlocks, OperationTime, Planner,
-    ProofProgram, Registers, Statistics, SurfaceDeviation, Sweep, Thread, Threads, Times,
+pub(crate) use plan::{
+    Abilities, ChordedArcs, CutterRadius, MovingAxes, OperationBlocks, OperationTime, ProofProgram, Registers, Sweep,
+    Threads, hole_extent,
 };
+pub use plan::{Planner, Statistics, Times};
 pub use rotary::Cost;
-pub use source::{
-    Begins, Chosen, ChosenSettings, ItemAction, LinePart, MotionIndex, Next, OperationStart, ProgramItem, Source, Stage,
-};
-pub use step::{
-    AxisWords, BlockReason, CannedCycle, CannedKind, CycleAbilities, DiscardSteps, FeedWord, FineBoreAbility, MAX_AXES,
-    Provenance, ReachedPosition, Sink, Step, ToolRoutine, UnusedCycles, VECTOR_DECIMALS,
+pub(crate) use source::{Begins, ItemAction, MotionIndex, OperationStart, ProgramItem};
+pub use source::{Source, Stage};
+pub use step::{AxisWords, FeedWord, Provenance, Sink, Step};
+pub(crate) use step::{
+    BlockReason, CannedCycle, CannedKind, CycleAbilities, DiscardSteps, FineBoreAbility, MAX_AXES, ReachedPosition,
+    ToolRoutine, UnusedCycles, VECTOR_DECIMALS,
 };

@@ -159,7 +159,7 @@ enum Content {
 
 /// Chooses the modes in the first pass.
 #[derive(Debug)]
-pub struct ModeFinder {
+pub(crate) struct ModeFinder {
     modes: StretchModes,
     /// Modes that mode `auto` chooses from.
     usable: UsableModes,
@@ -248,7 +248,7 @@ impl ModesOfContents {
 impl ModeFinder {
     /// Chooses among the usable modes, unless the policy has one mode for all stretches. An operation may have its own.
     #[must_use]
-    pub fn new(policy: Policy<'_>, usable: &UsableModes) -> Self {
+    pub(crate) fn new(policy: Policy<'_>, usable: &UsableModes) -> Self {
         Self {
             modes: StretchModes::default(),
             usable: usable.clone(),
@@ -263,7 +263,7 @@ impl ModeFinder {
 
     /// Takes the next item.
     #[inline(always)]
-    pub fn follow(&mut self, item: &ProgramItem<'_>) {
+    pub(crate) fn follow(&mut self, item: &ProgramItem<'_>) {
         match item.action {
             ItemAction::Line { motion, index, .. } => {
                 self.begin(index);
@@ -349,7 +349,7 @@ impl ModeFinder {
 
     /// The modes of all stretches.
     #[must_use]
-    pub fn finish(mut self) -> StretchModes {
+    pub(crate) fn finish(mut self) -> StretchModes {
         self.operation.add(self.stretch);
         self.end_operation();
         self.modes

@@ -21,14 +21,16 @@ use crate::set_up::SetUp;
 use keys::{PARK, Preference};
 use operations::OperationsTable;
 
-pub use cutting::{
+pub(crate) use cutting::{
     ArcForm, ArcOptions, ArcOutput, BoreRetract, CutterPath, CycleOptions, CycleOutput, Defaults, FeedLimits, PathNorm,
     ThreadFeed,
 };
-pub use keys::{ClampCodes, Wrap};
-pub use links::{Approach, CoolantOptions, Links, Rapid, RapidOptions, Retract, Rewind, Transition};
-pub use operations::{OperationChoice, OperationEntry, OperationSettings, OperationTable, Smoothing};
-pub use words::{Mode, RotaryOptions, StretchMode, TcpFrame, TcpWords, TipOptions, ToolPosture};
+pub(crate) use keys::{ClampCodes, Wrap};
+pub use links::Transition;
+pub(crate) use links::{Approach, CoolantOptions, Links, Rapid, RapidOptions, Retract, Rewind};
+pub(crate) use operations::{OperationChoice, OperationEntry, OperationSettings, OperationTable, Smoothing};
+pub use words::{Mode, TcpFrame, TcpWords, ToolPosture};
+pub(crate) use words::{RotaryOptions, StretchMode, TipOptions};
 
 /// All that planning reads of a job.
 #[derive(Debug, Clone, Copy)]
@@ -316,6 +318,7 @@ fn another_path(tolerance: f64) -> Option<String> {
 /// Selection of operations, counted from 1. An operation begins at TOOL PATH, a tool record, a stop or a frame; starts
 /// with no motion between them count as one.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Operations {
     /// First and last operation, both included; `None`: up to the last of the program.
     Range(u64, Option<u64>),

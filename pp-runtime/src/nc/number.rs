@@ -49,7 +49,7 @@ fn power_of_ten(exponent: u32) -> f64 {
 /// # Errors
 /// [`Overflow`] for a value that is not finite or too large.
 #[inline]
-pub fn whole_units(value: f64, per_unit: f64) -> Result<i64, Overflow> {
+pub(crate) fn whole_units(value: f64, per_unit: f64) -> Result<i64, Overflow> {
     let units = value * per_unit;
     // A NaN fails the comparison, too.
     if units.abs() <= LARGEST { Ok(rounded(units)) } else { Err(Overflow) }
@@ -320,14 +320,14 @@ pub(super) fn put_number(room: &mut [u8; NUMBER_ROOM], number: Decimal, numerals
 }
 
 /// Writes a number in the number format of a control.
-pub fn write_number(out: &mut Vec<u8>, number: Decimal, numerals: Numerals) {
+pub(crate) fn write_number(out: &mut Vec<u8>, number: Decimal, numerals: Numerals) {
     let mut room = [0; NUMBER_ROOM];
     let length = put_number(&mut room, number, numerals);
     out.extend_from_slice(&room[..length - 1]);
 }
 
 /// Writes a number: no zeros after the last digit, no point without decimals, no `-0`.
-pub fn write_decimal(out: &mut Vec<u8>, number: Decimal) {
+pub(crate) fn write_decimal(out: &mut Vec<u8>, number: Decimal) {
     write_number(out, number, Numerals::default());
 }
 

@@ -14,7 +14,7 @@ const LAST_NUMBER: u32 = 99_999;
 
 /// Numbering of lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Numbering {
+pub(crate) enum Numbering {
     /// Numbers only for blocks after [`Writer::number_next`].
     #[default]
     None,
@@ -26,7 +26,7 @@ pub enum Numbering {
 
 /// Line of a program that was written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct WrittenLine {
+pub(crate) struct WrittenLine {
     /// Line number in the file, from 1.
     pub line: u64,
     /// Block number, if it has one.
@@ -35,7 +35,7 @@ pub struct WrittenLine {
 
 /// Letters of a word, `X` or `C1=`, and the form of its numbers.
 #[derive(Debug, Clone)]
-pub struct WordForm<'l> {
+pub(crate) struct WordForm<'l> {
     letters: Cow<'l, str>,
     decimals: u32,
     numerals: Numerals,
@@ -45,26 +45,26 @@ pub struct WordForm<'l> {
 impl<'l> WordForm<'l> {
     /// A word with numbers of these decimals.
     #[must_use]
-    pub fn new(letters: impl Into<Cow<'l, str>>, decimals: u32, numerals: Numerals) -> Self {
+    pub(crate) fn new(letters: impl Into<Cow<'l, str>>, decimals: u32, numerals: Numerals) -> Self {
         let letters = letters.into();
         Self { short: ShortForm::new(&letters, decimals, numerals), letters, decimals, numerals }
     }
 
     /// Its letters.
     #[must_use]
-    pub fn letters(&self) -> &str {
+    pub(crate) fn letters(&self) -> &str {
         &self.letters
     }
 
     /// Decimals of its numbers.
     #[must_use]
-    pub fn decimals(&self) -> u32 {
+    pub(crate) fn decimals(&self) -> u32 {
         self.decimals
     }
 }
 
 /// Writes blocks word by word; a block without words writes no line.
-pub struct Writer<'a> {
+pub(crate) struct Writer<'a> {
     out: &'a mut dyn Write,
     /// Written blocks, then room.
     buffer: Vec<u8>,
@@ -106,7 +106,7 @@ impl Journal {
 
 impl<'a> Writer<'a> {
     /// A writer for a new program.
-    pub fn new(out: &'a mut dyn Write, numbering: Numbering) -> Self {
+    pub(crate) fn new(out: &'a mut dyn Write, numbering: Numbering) -> Self {
         let letters = if numbering == Numbering::EveryLine { "" } else { "N" };
         Self {
             out,
@@ -125,12 +125,12 @@ impl<'a> Writer<'a> {
     }
 
     /// Gives the next block a number even where blocks are not numbered.
-    pub fn number_next(&mut self, number: u32) {
+    pub(crate) fn number_next(&mut self, number: u32) {
         self.single_number = Some(number);
     }
 
     /// Begins each line from here on with `/`, the mark of block skip, or no longer.
-    pub fn set_skippable(&mut self, skippable: bool) {
+    pub(crate) fn set_skippable(&mut self, skippable: bool) {
         self.skippable = skippable;
     }
 
@@ -185,7 +185,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Writes a code with a fixed number: `G1`, `M30`.
-    pub fn code(&mut self, code: &str) {
+    pub(crate) fn code(&mut self, code: &str) {
         if !code.is_empty() {
             self.begin();
             self.append(code.as_bytes());
@@ -194,7 +194,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Adds text to the last word.
-    pub fn attach(&mut self, text: &str) {
+    pub(crate) fn attach(&mut self, text: &str) {
         if self.end > self.block {
             self.end -= 1;
             self.append(text.as_bytes());
@@ -203,13 +203,13 @@ impl<'a> Writer<'a> {
     }
 
     /// Writes a word: `X` or `C1=`, and its number.
-    pub fn word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
+    pub(crate) fn word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
         self.words([(&WordForm::new(prefix, number.decimals, numerals), number.units)]);
     }
 
     /// Writes words in their order, each with whole units of its last decimal; without words no block begins.
     #[inline(always)]
-    pub fn words<'w>(&mut self, words: impl IntoIterator<Item = (&'w WordForm<'w>, i64)>) {
+    pub(crate) fn words<'w>(&mut self, words: impl IntoIterator<Item = (&'w WordForm<'w>, i64)>) {
         let mut words = words.into_iter();
         let first = words.next();
         if first.is_some() {
@@ -223,7 +223,7 @@ impl<'a> Writer<'a> {
     /// # Errors
     /// Errors of the output.
     #[inline]
-    pub fn end(&mut self) -> io::Result<()> {
+    pub(crate) fn end(&mut self) -> io::Result<()> {
         if self.end > self.block {
             self.blocks += 1;
             // In place of the blank after the last word.
@@ -237,7 +237,7 @@ impl<'a> Writer<'a> {
     ///
     /// # Errors
     /// Errors of the output.
-    pub fn line(&mut self, text: &[u8]) -> io::Result<()> {
+    pub(crate) fn line(&mut self, text: &[u8]) -> io::Result<()> {
         self.mark_skippable();
         if self.numbering == Numbering::EveryLine {
             self.number_line();
@@ -266,17 +266,17 @@ impl<'a> Writer<'a> {
     }
 
     /// Records the lines from now on; [`take_lines`](Self::take_lines) returns them.
-    pub fn keep_lines(&mut self) {
+    pub(crate) fn keep_lines(&mut self) {
         self.journal = Some(Journal::default());
     }
 
     /// Returns the lines since the last call; none if they are not recorded.
-    pub fn take_lines(&mut self) -> impl Iterator<Item = WrittenLine> + '_ {
+    pub(crate) fn take_lines(&mut self) -> impl Iterator<Item = WrittenLine> + '_ {
         self.journal.iter_mut().flat_map(|journal| journal.kept.drain(..))
     }
 
     /// Number of blocks written so far, without comments.
-    pub fn blocks(&self) -> u64 {
+    pub(crate) fn blocks(&self) -> u64 {
         self.blocks
     }
 
@@ -284,7 +284,7 @@ impl<'a> Writer<'a> {
     ///
     /// # Errors
     /// Errors of the output.
-    pub fn finish(&mut self) -> io::Result<()> {
+    pub(crate) fn finish(&mut self) -> io::Result<()> {
         self.hand_on()?;
         self.out.flush()
     }

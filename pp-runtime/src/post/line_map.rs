@@ -10,7 +10,7 @@ use crate::program::Location;
 
 /// A line of a program and its origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LineOrigin<'a> {
+pub(crate) struct LineOrigin<'a> {
     /// Line number in the program, from 1.
     pub line: u64,
     /// Block number written in the line.
@@ -26,7 +26,7 @@ pub struct LineOrigin<'a> {
 }
 
 /// Receives the origin of every line of a program, in order.
-pub trait LineMap {
+pub(crate) trait LineMap {
     /// Takes the next line.
     ///
     /// # Errors

@@ -36,20 +36,19 @@ use crate::diag::{Diagnostic, Remarks, Severity, grouped};
 use crate::kinematics::{AnyMachine, AxisKind, Invalid, Machine};
 use crate::motion::{
     Abilities, ChordedArcs, Cost, Course, DiscardSteps, ModeFinder, MovingAxes, Navigator, Planner, PlanningError,
-    Sink, Source, Statistics, Threads, Times, UsableModes,
+    Sink, Source, Threads, UsableModes,
 };
 use crate::program::Location;
 use crate::program::Units;
 use crate::set_up::SetUp;
 
+pub use crate::motion::{Statistics, Times};
 pub use checked::{CheckedProgram, post_checked};
 pub(crate) use ending::ProgramEnd;
 use line_map::MappedEncoder;
-pub(crate) use line_map::OwnedPosition;
-pub use line_map::{LineMap, LineOrigin};
-pub use proof::{Proof, prove};
-pub use survey::Stretches;
-use survey::Survey;
+pub(crate) use line_map::{LineMap, LineOrigin, OwnedPosition};
+pub(crate) use proof::{Proof, prove};
+use survey::{Stretches, Survey};
 pub(crate) use time::duration;
 
 /// A posting job: set-up, control and name of the CL file.
@@ -391,7 +390,7 @@ pub fn post<M: Machine>(
 ///
 /// # Errors
 /// Those of [`post`]; a line map that cannot be written is [`PostError::Output`].
-pub fn post_for(
+pub(crate) fn post_for(
     machine: &dyn AnyMachine,
     job: &Job<'_>,
     input: &mut dyn ReadSeek,

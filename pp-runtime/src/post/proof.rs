@@ -33,7 +33,7 @@ const UPRIGHT: f64 = 0.99;
 
 /// A proof program to be written: set-up, control, tool and point.
 #[derive(Clone, Copy)]
-pub struct Proof<'a> {
+pub(crate) struct Proof<'a> {
     /// The set-up.
     pub config: &'a Config,
     /// The control that will run the program.
@@ -49,7 +49,7 @@ pub struct Proof<'a> {
 /// # Errors
 /// A sentence that names what is missing in the set-up, or the position that cannot be reached; and what would do: a
 /// point near, or less travel of the rotary axes.
-pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, String> {
+pub(crate) fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, String> {
     prove_at(machine, proof).map_err(|reason| {
         let remedy = std::iter::once(None).chain(CAPS_DEG.map(Some)).find_map(|cap| remedy(machine, proof, cap));
         remedy.map_or_else(|| reason.clone(), |remedy| format!("{reason}; {remedy} would do"))

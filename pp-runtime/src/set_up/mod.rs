@@ -5,8 +5,9 @@
 //! An option that only one stage reads belongs to that stage.
 //!
 //! ```
-//! use pp_runtime::config::{Config, GivenTool};
+//! use pp_runtime::config::Config;
 //! use pp_runtime::control::LinuxCnc;
+//! use pp_runtime::set_up::GivenTool;
 //! # pp_runtime::machine! {
 //! #     /// A table that rotates about Z on a table that tilts about X.
 //! #     pub struct Trunnion;
@@ -45,10 +46,11 @@ use keys::{
 use part_rotation::PartRotation;
 use solids::SolidTable;
 
-pub use machine::AxisBounds;
-pub(crate) use machine::along_axes;
+pub(crate) use machine::{AxisBounds, along_axes};
 pub(crate) use part_rotation::angles as part_angles;
-pub use solids::{Solid, SolidLink, SolidShape, Solids};
+pub(crate) use solids::Solids;
+#[cfg(feature = "simulate")]
+pub(crate) use solids::{Solid, SolidLink, SolidShape};
 
 /// The point of the tool that the CL data programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -153,19 +155,18 @@ options! {
 
 /// The part as it is clamped in one set-up.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Clamping<'a> {
+pub(crate) struct Clamping<'a> {
     /// Position of the part zero from the reference point of the table, mm.
-    pub part_origin: [f64; 3],
+    pub(crate) part_origin: [f64; 3],
     /// Orientation of the part on the table.
-    pub part_rotation: Rotation3<f64>,
+    pub(crate) part_rotation: Rotation3<f64>,
     /// Work offset of the control.
-    pub work_offset: &'a str,
+    pub(crate) work_offset: &'a str,
 }
 
 impl SetUp {
     /// The part in the set-up of a number, counted from 1; `None` if there is no such set-up.
-    #[must_use]
-    pub fn clamping(&self, number: u32) -> Option<Clamping<'_>> {
+    pub(crate) fn clamping(&self, number: u32) -> Option<Clamping<'_>> {
         if number == 1 {
             let Self { part_origin, part_rotation, work_offset, .. } = self;
             return Some(Clamping { part_origin: *part_origin, part_rotation: *part_rotation, work_offset });
@@ -190,7 +191,7 @@ impl SetUp {
     }
 
     /// All set-ups with their numbers.
-    pub fn clampings(&self) -> impl Iterator<Item = (u32, Clamping<'_>)> {
+    pub(crate) fn clampings(&self) -> impl Iterator<Item = (u32, Clamping<'_>)> {
         let numbers = std::iter::once(1).chain(self.set_ups.keys().copied());
         numbers.filter_map(|number| Some((number, self.clamping(number)?)))
     }

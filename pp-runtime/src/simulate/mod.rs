@@ -36,7 +36,7 @@ mod removal;
 mod testing;
 mod tools;
 
-pub(crate) use bodies::{SolidBody, SolidFault};
+pub(crate) use bodies::{Mesh, SolidBody, SolidFault};
 pub(crate) use design::{Design, DesignComparison, Deviations, Origin, Region, TriangleSurface, limits_of};
 pub(crate) use machine::{MachineLinks, MachineSolid, clearances, without_solids};
 pub(crate) use program::{
@@ -46,7 +46,4 @@ pub(crate) use program::{
 pub(crate) use removal::{EndValues, MarkedSurface};
 pub(crate) use tools::ToolBodies;
 
-pub use bodies::{Mesh, MeshFault};
-pub use removal::{
-    Contact, Cutter, Effort, FilledPart, LARGEST_TURN, Profile, ShapeFault, StockFault, SweptPiece, TriDexel,
-};
+pub use removal::{Contact, Cutter, Profile, ShapeFault, StockFault, SweptPiece, TriDexel};

@@ -98,7 +98,7 @@ pub(super) fn letters(machine: &dyn AnyMachine) -> String {
 ///
 /// # Errors
 /// The name is empty, begins with a digit, or holds no letter.
-pub fn identifier(stem: &str) -> Result<String, NotExpressible> {
+pub(crate) fn identifier(stem: &str) -> Result<String, NotExpressible> {
     let name: String = stem.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }).collect();
     let begins_with_a_letter = name.starts_with(|letter: char| letter.is_ascii_alphabetic());
     if begins_with_a_letter {
@@ -111,7 +111,7 @@ pub fn identifier(stem: &str) -> Result<String, NotExpressible> {
 ///
 /// # Errors
 /// The name begins with no letter A to Z.
-pub fn machine_identifier(machine: &dyn AnyMachine) -> Result<String, NotExpressible> {
+pub(crate) fn machine_identifier(machine: &dyn AnyMachine) -> Result<String, NotExpressible> {
     identifier(&snake_case(machine.name()))
 }
 

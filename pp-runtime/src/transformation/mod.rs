@@ -32,7 +32,8 @@ pub mod linuxcnc;
 mod math;
 mod sheet;
 
-pub use c::{c_header, identifier, machine_identifier};
+pub use c::c_header;
+pub(crate) use c::{identifier, machine_identifier};
 pub use sheet::{SheetControl, compare_sheet};
 
 /// The reason why kinematics for a control cannot be written.

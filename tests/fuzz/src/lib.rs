@@ -39,7 +39,7 @@ fn set_up(control: &'static dyn Control, mode: &str) -> Option<SetUp> {
     config.cl.frames = Some(Frames::Main);
     config.output_units = UNITS;
     config.control.tip_control = control.spellings().tip.is_none().then(|| ["M428".to_owned(), "M429".to_owned()]);
-    control::unfit(&SpinnerU5620::default(), control, config.demands()).is_empty().then_some(SetUp { control, config })
+    config.unfit(&SpinnerU5620::default(), control).is_empty().then_some(SetUp { control, config })
 }
 
 /// Set-up that the first byte selects, and the other bytes.
@@ -63,7 +63,7 @@ pub fn post_with_any_configuration(data: &[u8]) {
     let control = CONTROLS[usize::from(choice.wrapping_sub(b'A')) % CONTROLS.len()];
     let machine = SpinnerU5620::default();
     let Ok(config) = starting_point(control).read_over(&machine, toml) else { return };
-    if !control::unfit(&machine, control, config.demands()).is_empty() {
+    if !config.unfit(&machine, control).is_empty() {
         return;
     }
     let job = Job { cl_name: "fuzz.cls", config: &config, control, units: UNITS };

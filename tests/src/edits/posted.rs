@@ -7,7 +7,7 @@ use std::path::Path;
 
 use pp_runtime::check::check;
 use pp_runtime::config::{Config, Mode, Operations, TcpFrame, starting_point};
-use pp_runtime::control::{self, Control};
+use pp_runtime::control::Control;
 use pp_runtime::diag::Severity;
 use pp_runtime::kinematics::Machine;
 use pp_runtime::post;
@@ -139,7 +139,7 @@ fn posted<M: Machine>(case: &Case<'_>, control: &'static dyn Control) -> Result<
     if let Some((first, last)) = case.operations {
         config.motion.selected = Some(Operations::Range(first, Some(last)));
     }
-    if let Some(fault) = control::unfit(&M::default(), control, config.demands()).into_iter().next() {
+    if let Some(fault) = config.unfit(&M::default(), control).into_iter().next() {
         return Err(fault);
     }
     let job = post::Job { cl_name: "part.cls", config: &config, control, units: None };

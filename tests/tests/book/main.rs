@@ -46,7 +46,7 @@ fn try_listing(chapter: &Chapter, listing: &Listing, folder: &mut Folder) -> Res
         ("rust" | "rust,no_run" | "rust,compile_fail", None) => is_compiled(chapter)?,
         ("sh", None) => is_run_elsewhere(listing)?,
         ("toml", None) => {
-            let faults = |faults| format!("is no configuration: {faults:?}");
+            let faults = |faults| format!("is no configuration: {faults}");
             Config::read::<::machines::SpinnerU5620>(&listing.text(), &LinuxCnc).map_err(faults)?;
         }
         (_, Some(_)) => (),

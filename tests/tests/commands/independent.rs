@@ -15,12 +15,14 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use approx::abs_diff_eq;
-use pp_runtime::config::{Config, GivenTool, LengthMode, ProgramZero, Units};
+use pp_runtime::config::Config;
 use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Machine};
 use pp_runtime::machine;
 use pp_runtime::nalgebra::Vector3;
 use pp_runtime::post::{Job, post};
+use pp_runtime::program::Units;
+use pp_runtime::set_up::{GivenTool, LengthMode, ProgramZero};
 use serde_json::Value;
 use tests::binaries::workspace;
 

@@ -111,7 +111,7 @@ fn it_does_in_every_mode_and_with_a_tool_axis_that_rotates() {
                     for transition in ["safe", "direct"] {
                         let mut config = config(*control, mode);
                         if transition == "direct" {
-                            config.motion.rapids.transition = pp_runtime::motion::Transition::Direct;
+                            config.motion.rapids.transition = pp_runtime::config::Transition::Direct;
                         }
                         // It passes its check.
                         posted::<SpinnerU5620>(&config, *control, &cl);

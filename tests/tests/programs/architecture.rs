@@ -26,6 +26,7 @@ const RUNTIME: &[(&str, &[&str])] = &[
     ("check", &["cl", "diag", "kinematics", "program", "set_up", "shortcut", "tolerance"]),
     ("config", &["check", "cl", "control", "diag", "keys", "kinematics", "motion", "nc", "program", "set_up"]),
     ("post", &["check", "cl", "config", "control", "diag", "kinematics", "motion", "nc", "program", "set_up"]),
+    ("inside", &["config", "control", "motion", "shortcut"]),
     ("transformation", &["config", "kinematics"]),
     ("view", &["check", "cl", "kinematics", "post", "program", "set_up"]),
     ("simulate", &["check", "kinematics", "set_up", "view"]),

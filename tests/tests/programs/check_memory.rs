@@ -10,9 +10,10 @@ use std::io::{self, Cursor, Read, Seek, SeekFrom, Write as _};
 
 use machines::SpinnerU5620;
 use pp_runtime::check::{Checked, check};
-use pp_runtime::config::{Config, Units, starting_point};
+use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::Control;
 use pp_runtime::post::{self, post};
+use pp_runtime::program::Units;
 use tests::binaries::workspace;
 use tests::by_name;
 use tests::foreign::{Control as Foreign, lexer};

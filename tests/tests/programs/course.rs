@@ -5,8 +5,8 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::config::Config;
+use pp_runtime::inside::{self, Cost, Navigator, Source};
 use pp_runtime::kinematics::{AxisKind, Branch, Limits, Machine, Pose};
-use pp_runtime::motion::{Cost, Navigator, Source};
 use pp_runtime::program::{Event, Feed, Location, Move, NewStart, ToolCall, ToolMotion};
 use tests::random::Random;
 
@@ -132,8 +132,8 @@ fn compare<M: Machine>(seed: u64, paths: usize) -> (usize, usize) {
         }
         let rotary_limits = RotaryLimits { limits, speeds };
         let machine = config.set_up.machine::<M>().expect("valid");
-        let mut navigator = Navigator::new(Box::new(machine.clone()), config.policy());
-        let mut source = Source::new(&M::default(), config.policy());
+        let mut navigator = Navigator::new(Box::new(machine.clone()), inside::policy(&config));
+        let mut source = Source::new(&M::default(), inside::policy(&config));
         let mut follow = |event| source.event(Location::default(), &event, &mut navigator).expect("nothing is refused");
         follow(Event::NewStart(NewStart::Tool(ToolCall { number: 1, ..ToolCall::default() })));
 

@@ -7,10 +7,11 @@ use std::io::Cursor;
 use machines::SpinnerU5620;
 use nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::check::{Finding, check};
-use pp_runtime::config::{Config, Units, starting_point};
+use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{Machine, Pose};
 use pp_runtime::post::{self, post};
+use pp_runtime::program::Units;
 
 /// A program with its CL data.
 struct Posted {

@@ -1,5 +1,5 @@
-//! What keeps the house small: fields of a struct, lines of a function, circles between the modules of a folder. What
-//! is larger is listed, with its size: the lists only shrink. No line of a comment is longer than one of the code.
+//! What keeps the house small: fields of a struct, lines of a function, circles between the modules of a folder, public
+//! names. What is larger is listed, with its size: the lists only shrink. No line of a comment is longer than one of the code.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -39,6 +39,18 @@ const COMMENTED: &[(&str, &str)] = &[
 ];
 
 const MOST_COLUMNS: usize = 120;
+
+/// Public names of pp-runtime: those of its root and of its public modules.
+const MOST_NAMES: usize = 150;
+
+/// Public modules within these, with the number of their names.
+const INNER_MODULES: &[(&str, usize)] = &[
+    ("check/read", 14),
+    ("cl/record", 5),
+    ("control/template", 2),
+    ("kinematics/math", 11),
+    ("transformation/linuxcnc", 2),
+];
 
 /// Structs with more fields.
 const LARGE_STRUCTS: &[(&str, usize)] = &[
@@ -312,4 +324,106 @@ fn long_lines_are_found_outside_tables_fences_and_literals() {
     let long = "x".repeat(MOST_COLUMNS);
     let text = format!("// {long}\n/// | {long} |\n//! ```\n//! {long}\n//! ```\n//! {long}\n// short\n// {long}\n");
     assert_eq!(long_comments(&text, &BTreeSet::from([8])), [1, 6]);
+}
+
+/// Public names of a module, without those that the documentation hides, and its public modules.
+#[derive(Default)]
+struct PublicNames {
+    names: BTreeSet<String>,
+    modules: Vec<String>,
+}
+
+fn is_hidden(attributes: &[syn::Attribute]) -> bool {
+    attributes.iter().any(|attribute| {
+        matches!(&attribute.meta, syn::Meta::List(list) if list.path.is_ident("doc") && list.tokens.to_string() == "hidden")
+    })
+}
+
+impl PublicNames {
+    fn of_file(file: &Path) -> Self {
+        let mut found = Self::default();
+        let text = fs::read_to_string(file).expect("it can be read");
+        found.items(syn::parse_file(&text).expect("Rust").items);
+        found
+    }
+
+    fn items(&mut self, items: Vec<syn::Item>) {
+        for item in items {
+            let (visibility, attributes, name) = match &item {
+                syn::Item::Const(item) => (&item.vis, &item.attrs, item.ident.to_string()),
+                syn::Item::Enum(item) => (&item.vis, &item.attrs, item.ident.to_string()),
+                syn::Item::Fn(item) => (&item.vis, &item.attrs, item.sig.ident.to_string()),
+                syn::Item::Mod(item) => (&item.vis, &item.attrs, item.ident.to_string()),
+                syn::Item::Static(item) => (&item.vis, &item.attrs, item.ident.to_string()),
+                syn::Item::Struct(item) => (&item.vis, &item.attrs, item.ident.to_string()),
+                syn::Item::Trait(item) => (&item.vis, &item.attrs, item.ident.to_string()),
+                syn::Item::Type(item) => (&item.vis, &item.attrs, item.ident.to_string()),
+                syn::Item::Union(item) => (&item.vis, &item.attrs, item.ident.to_string()),
+                syn::Item::Use(item) => (&item.vis, &item.attrs, String::new()),
+                syn::Item::Macro(item) => {
+                    // A call that declares items, as `options!` does, has them as they are without it.
+                    if item.ident.is_none() {
+                        let declared = syn::parse2::<DeclaredNames>(item.mac.tokens.clone());
+                        self.names.extend(declared.map(|declared| declared.0).unwrap_or_default());
+                    }
+                    continue;
+                }
+                _ => continue,
+            };
+            if !matches!(visibility, syn::Visibility::Public(_)) || is_hidden(attributes) {
+                continue;
+            }
+            match &item {
+                syn::Item::Mod(_) => self.modules.push(name),
+                syn::Item::Use(item) => self.uses(&item.tree),
+                _ => drop(self.names.insert(name)),
+            }
+        }
+    }
+
+    fn uses(&mut self, tree: &syn::UseTree) {
+        match tree {
+            syn::UseTree::Path(path) => self.uses(&path.tree),
+            syn::UseTree::Name(name) => drop(self.names.insert(name.ident.to_string())),
+            syn::UseTree::Rename(rename) => drop(self.names.insert(rename.rename.to_string())),
+            syn::UseTree::Group(group) => group.items.iter().for_each(|tree| self.uses(tree)),
+            syn::UseTree::Glob(_) => panic!("a public name is written out"),
+        }
+    }
+}
+
+/// Names after `pub struct` and `pub enum` in the tokens of a macro call, not in its groups.
+struct DeclaredNames(Vec<String>);
+
+impl syn::parse::Parse for DeclaredNames {
+    fn parse(input: syn::parse::ParseStream<'_>) -> syn::Result<Self> {
+        let words: Vec<String> = input.parse::<TokenStream>()?.into_iter().map(|tree| tree.to_string()).collect();
+        let declares = |words: &&[String]| words[0] == "pub" && matches!(&*words[1], "struct" | "enum");
+        Ok(Self(words.windows(3).filter(declares).map(|words| words[2].clone()).collect()))
+    }
+}
+
+#[test]
+fn the_public_face_is_small() {
+    let source = workspace().join("pp-runtime/src");
+    let file_of = |path: &str| {
+        let files = [source.join(format!("{path}.rs")), source.join(path).join("mod.rs")];
+        files.into_iter().find(|file| file.exists()).expect("the file of the module")
+    };
+    let root = PublicNames::of_file(&source.join("lib.rs"));
+    let mut names: BTreeSet<String> = root.names;
+    let mut inner = BTreeMap::new();
+    for module in root.modules {
+        let mut open = vec![module];
+        while let Some(path) = open.pop() {
+            let found = PublicNames::of_file(&file_of(&path));
+            open.extend(found.modules.iter().map(|name| format!("{path}/{name}")));
+            match path.contains('/') {
+                true => drop(inner.insert(path, found.names.len())),
+                false => names.extend(found.names.iter().map(|name| format!("{path}::{name}"))),
+            }
+        }
+    }
+    assert!(names.len() <= MOST_NAMES, "{} public names: {names:#?}", names.len());
+    compare(&inner, INNER_MODULES);
 }

@@ -2,7 +2,7 @@
 
 use machines::SpinnerU5620;
 use pp_runtime::config::{Config, starting_point};
-use pp_runtime::control::{self, Haas};
+use pp_runtime::control::Haas;
 use pp_runtime::kinematics::Machine;
 use tests::further::HeadTable;
 use tests::posting::{bare, findings, posted};
@@ -39,7 +39,7 @@ const TOOLS: &str = "retract.distance = 80\ntools = { 1 = { length = 120.0, diam
 fn config<M: Machine>(keys: &str) -> Result<Config, String> {
     let text = format!("mode = \"plane\"\npart_origin = [0.0, 0.0, 100.0]\n{keys}{TOOLS}");
     let config = starting_point(&Haas).read_over(&M::default(), &text).map_err(|faults| format!("{faults:?}"))?;
-    let unfit = control::unfit(&M::default(), &Haas, config.demands());
+    let unfit = config.unfit(&M::default(), &Haas);
     if unfit.is_empty() { Ok(config) } else { Err(unfit.join("\n")) }
 }
 

@@ -3,10 +3,11 @@
 use std::hint::black_box;
 use std::io::{self, Cursor};
 
-use pp_runtime::config::{Mode, TcpFrame, Units, starting_point};
+use pp_runtime::config::{Mode, TcpFrame, starting_point};
 use pp_runtime::kinematics::Machine;
 use pp_runtime::nalgebra::Vector3;
 use pp_runtime::post::{Job, post};
+use pp_runtime::program::Units;
 use tests::by_name;
 use tests::heap::allocations;
 use tests::oracle::Oracle;

@@ -109,7 +109,7 @@ fn a_renamed_axis_that_cannot_be_read_is_refused_with_the_key() {
     let control = control::by_name("heidenhain").expect("it is there");
     let keys = "[control]\naxes = { B = \"E\" }";
     let config = config::<SpinnerU5620>(control, keys);
-    let faults = control::unfit(&SpinnerU5620::default(), control, config.demands());
+    let faults = config.unfit(&SpinnerU5620::default(), control);
     assert!(faults.iter().any(|fault| fault.contains("plane_guard = false")), "{faults:?}");
     posted::<SpinnerU5620>("heidenhain", &format!("plane_guard = false\n{keys}"), &faces(&[40.0]));
     posted::<SpinnerU5620>("siemens", "[control]\naxes = { B = \"B1\" }", &faces(&[40.0]));

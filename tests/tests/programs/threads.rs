@@ -3,7 +3,7 @@
 
 use machines::SpinnerU5620;
 use pp_runtime::config::{Config, starting_point};
-use pp_runtime::control::{self, Control};
+use pp_runtime::control::Control;
 use tests::by_name;
 use tests::posting::{findings, posted};
 
@@ -68,7 +68,7 @@ fn controls_that_take_the_pitch_refuse_it() {
     for name in ["linuxcnc", "siemens", "heidenhain"] {
         let control = by_name::control(name);
         let config = config(control, "revolution", true);
-        let unfit = control::unfit(&SpinnerU5620::default(), control, config.demands()).join("\n");
+        let unfit = config.unfit(&SpinnerU5620::default(), control).join("\n");
         assert!(unfit.contains("take their pitch in any case: leave `cycles.thread_feed` out"), "{unfit}");
     }
 }

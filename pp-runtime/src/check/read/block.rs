@@ -7,10 +7,8 @@ use super::state::MAX_AXES;
 use crate::program::{Rotation, Units};
 
 pub(super) use super::state::settled;
-pub use super::state::{
-    FeedMode, Length, PathMode, PathSmoothing, SideOfPath, State, Tilt, TipControl, WorkOffset, WorkPlane, coolant,
-    stated,
-};
+pub use super::state::{FeedMode, Length, SideOfPath, State, TipControl, WorkOffset, WorkPlane, coolant};
+pub(crate) use super::state::{PathMode, PathSmoothing, Tilt, stated};
 
 /// Positions of the axes whose bits are set.
 pub(crate) fn set_bits(bits: u16) -> impl Iterator<Item = usize> {

@@ -49,19 +49,22 @@ use std::fmt;
 use std::io::{self, Read};
 use std::sync::Arc;
 
-pub(crate) use block::set_bits;
 pub use block::{
-    Action, ArcMove, BlankPart, Block, BlockFault, CycleKind, CycleMove, Effect, FeedMode, FineBore, Guard, Length,
-    LengthSource, OwnLine, OwnPlace, OwnValues, PathMode, PathSmoothing, RotaryGuard, SideOfPath, State, Tilt,
-    TipControl, WorkOffset, WorkPlane, coolant, stated,
+    Action, ArcMove, Block, CycleKind, CycleMove, FeedMode, Length, SideOfPath, State, TipControl, WorkOffset,
+    WorkPlane, coolant,
 };
+pub(crate) use block::{
+    BlankPart, BlockFault, Effect, FineBore, Guard, LengthSource, OwnLine, OwnPlace, PathMode, PathSmoothing,
+    RotaryGuard, set_bits, stated,
+};
+#[cfg(test)]
+pub(crate) use block::{OwnValues, Tilt};
 pub(crate) use declared::{moves, refusal};
 pub(crate) use facts::{Facts, GuardSource, LeftOver, LengthRegisters, LineForm, PoseSelector, SmoothingWords};
 pub(crate) use language::table;
-pub(crate) use machine::AxisName;
-pub use machine::RolloverRule;
+pub(crate) use machine::{AxisName, RolloverRule};
 pub(crate) use own::{Lookup, OwnText, PlacedLines, is_filled, is_read};
-pub use state::MAX_AXES;
+pub(crate) use state::MAX_AXES;
 pub(in crate::check) use state::settled;
 
 use flow::{Flow, Taken};

@@ -200,21 +200,21 @@ pub mod coolant {
 }
 
 /// What has been said since a complete state began: bits.
-pub mod stated {
+pub(crate) mod stated {
     /// Spindle on or off.
-    pub const SPINDLE: u8 = 1;
+    pub(crate) const SPINDLE: u8 = 1;
     /// Coolant.
-    pub const COOLANT: u8 = 2;
+    pub(crate) const COOLANT: u8 = 2;
     /// Length compensation.
-    pub const LENGTH: u8 = 4;
+    pub(crate) const LENGTH: u8 = 4;
     /// Work offset.
-    pub const OFFSET: u8 = 8;
+    pub(crate) const OFFSET: u8 = 8;
     /// Unit, plane, feed mode, distances and sides.
-    pub const MODES: u8 = 16;
+    pub(crate) const MODES: u8 = 16;
     /// S.
-    pub const SPEED: u8 = 32;
+    pub(crate) const SPEED: u8 = 32;
     /// T.
-    pub const TOOL: u8 = 64;
+    pub(crate) const TOOL: u8 = 64;
 }
 
 /// What a program before may have left in force, and the code that ends it: bits of what the program has settled since
@@ -502,4 +502,4 @@ impl Default for State {
 }
 
 /// Most axes a chain can have: X Y Z U V W A B C.
-pub const MAX_AXES: usize = 9;
+pub(crate) const MAX_AXES: usize = 9;

@@ -1,7 +1,7 @@
 //! Edits of a program that are meant.
 
 use super::*;
-use crate::check::PermittedEdit;
+use crate::check::report::PermittedEdit;
 
 const DATA: &str = "UNITS/MM\nTOOL PATH/FIRST,TOOL,T1\nLOADTL/1\nSPINDL/RPM,2000,CLW\nCOOLNT/ON\nFEDRAT/1200,MMPM\nRAPID\n\
                     GOTO/0,0,50\nGOTO/0,0,0\nGOTO/20,0,0\nDELAY/1\nGOTO/20,9,0\nRAPID\nGOTO/20,9,50\n\

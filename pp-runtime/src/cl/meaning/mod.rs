@@ -28,12 +28,11 @@ mod units;
 mod votes;
 
 pub(crate) use self::event_queue::{KeptForEvents, QueuedEvent, TextUse};
-pub use self::frame::StatedFrame;
-pub use self::frame_reading::FrameVote;
+pub(crate) use self::frame::StatedFrame;
+pub(crate) use self::frame_reading::FrameVote;
 pub use self::holes::CycleArg;
 pub(crate) use self::interpret::RecordInterpreter;
-pub use self::options::ToolArg;
-pub use self::options::{FeedLabel, Frames, Insert, ReadingOptions, Sense, SetUpBegins};
-pub use self::tool_table::StatedTool;
-pub use self::votes::ArcVote;
-pub(crate) use self::votes::Contradictions;
+pub(crate) use self::options::SetUpBegins;
+pub use self::options::{FeedLabel, Frames, Insert, ReadingOptions, Sense, ToolArg};
+pub(crate) use self::tool_table::StatedTool;
+pub(crate) use self::votes::{ArcVote, Contradictions};

@@ -70,7 +70,7 @@ pub enum Return {
 
 /// Largest number of numbers without a word in a CYCLE. They are as many as the depths of THRU after the first, two for
 /// each plate after the first.
-pub const MOST_POSITIONAL: usize = 2 * MOST_GAPS;
+pub(crate) const MOST_POSITIONAL: usize = 2 * MOST_GAPS;
 
 /// Pitch of a thread as written.
 #[derive(Debug, Clone, Copy, PartialEq)]

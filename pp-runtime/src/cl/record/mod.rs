@@ -10,10 +10,10 @@
 //! changes.
 //!
 //! ```
-//! let mut words = Vec::new();
-//! pp_runtime::cl::list_words(&mut words)?;
-//! assert!(String::from_utf8_lossy(&words).contains("GOTO"));
-//! # Ok::<(), std::io::Error>(())
+//! use pp_runtime::cl::record::{CoordinateRecord, Record};
+//! use pp_runtime::program::Units;
+//!
+//! assert_eq!(Record::Coordinates(CoordinateRecord::Units(Units::Inches)).to_string(), "UNITS/INCH");
 //! ```
 
 mod arc;
@@ -35,27 +35,29 @@ mod values;
 mod vocabulary;
 mod words;
 
-pub use self::arc::{ArcRecord, CircleForm, CircleRecord, TangentArc};
-pub use self::coordinates::{CoordinateRecord, FrameBase, FrameRecord};
-pub use self::cycle::{ClCycleKind, CycleCall, CycleRecord, CycleState, MOST_POSITIONAL, Return, ThreadPitch};
-pub use self::feed::{FeedRecord, FeedUnit};
+pub use self::coordinates::CoordinateRecord;
+pub use self::cycle::ClCycleKind;
 pub use self::machine::MachineRecord;
-pub use self::motion::MotionRecord;
-pub use self::nurbs::NurbsRecord;
-pub use self::own::OwnStatement;
 pub use self::program::ProgramRecord;
-pub use self::subprogram::{SubprogramName, SubprogramRecord};
-pub use self::tool::{CutterKind, CutterRecord, MOST_TOOL_NUMBERS, ToolCallRecord, ToolRecord};
-pub use self::values::{AxisPlane, Numbers, Point, Text};
-pub use self::words::{list, not_inert};
-pub use super::text::Span;
 
+pub(crate) use self::arc::{ArcRecord, CircleForm, CircleRecord, TangentArc};
 pub(crate) use self::comment::{CatiaMatrix, comment_dialect, read_comment};
-pub(crate) use self::own::GivenMeanings;
+pub(crate) use self::coordinates::{FrameBase, FrameRecord};
+pub(crate) use self::cycle::{CycleCall, CycleRecord, CycleState, Return, ThreadPitch};
+pub(crate) use self::feed::{FeedRecord, FeedUnit};
+pub(crate) use self::motion::MotionRecord;
+pub(crate) use self::nurbs::NurbsRecord;
+pub(crate) use self::own::{GivenMeanings, OwnStatement};
 pub(crate) use self::parse::{if_harmless, joined_record, parse, record_dialect};
 pub(crate) use self::shapes::Shapes;
-pub(crate) use self::values::word_of;
-pub(crate) use self::words::nearest_word;
+pub(crate) use self::subprogram::{SubprogramName, SubprogramRecord};
+pub(crate) use self::tool::{CutterKind, CutterRecord, ToolCallRecord, ToolRecord};
+pub(crate) use self::values::{AxisPlane, Numbers, Point, Text, word_of};
+pub(crate) use self::words::{list, nearest_word, not_inert};
+#[cfg(test)]
+pub(crate) use self::{cycle::MOST_POSITIONAL, tool::MOST_TOOL_NUMBERS};
+#[cfg(test)]
+pub(crate) use super::text::Span;
 
 use std::fmt::{self, Display, Formatter};
 

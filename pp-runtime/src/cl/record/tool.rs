@@ -56,7 +56,7 @@ pub struct ToolCallRecord {
 }
 
 /// Largest count of numbers without a word after the tool number.
-pub const MOST_TOOL_NUMBERS: usize = 4;
+pub(crate) const MOST_TOOL_NUMBERS: usize = 4;
 
 impl ToolCallRecord {
     /// A call of this tool without any other word.

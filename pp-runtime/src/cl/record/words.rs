@@ -279,7 +279,7 @@ pub(super) fn is_word(text: &str) -> bool {
 
 /// Reason why a word cannot be declared inert; `None` if it can.
 #[must_use]
-pub fn not_inert(word: &str) -> Option<String> {
+pub(crate) fn not_inert(word: &str) -> Option<String> {
     if !is_word(word) {
         return Some(format!("`{word}` is not a word of CL data"));
     }
@@ -297,7 +297,7 @@ pub fn not_inert(word: &str) -> Option<String> {
 ///
 /// # Errors
 /// Those of the output.
-pub fn list(out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn list(out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "Words of CL data. A word that is not listed is refused, unless `--inert WORD` declares it inert\nor `[cl.words]` of the configuration states the block of its statement."

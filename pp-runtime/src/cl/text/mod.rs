@@ -15,7 +15,6 @@ mod number;
 pub(crate) use self::args::{Arg, Args, MajorWord, trimmed};
 pub(crate) use self::blanks::{is_blank, skip_blanks};
 pub(crate) use self::encoding::decoded;
-pub use self::fault::Span;
-pub(crate) use self::fault::{ClFault, Help, quoted};
+pub(crate) use self::fault::{ClFault, Help, Span, quoted};
 pub(crate) use self::lexer::{Beginning, LONGEST_STATEMENT, Lexer, NumberLine, PhysicalLine, Statement, StatementKind};
 pub(crate) use self::number::{number_at_start, whole_number};

@@ -1,5 +1,7 @@
 //! The table `[operations]`.
 
+use crate::motion::{OperationChoice, OperationSettings, OperationTable, Singular, Smoothing};
+
 use super::*;
 
 #[test]

@@ -2,9 +2,11 @@
 
 use nalgebra::{Matrix3, Rotation3};
 
+use super::super::Config;
 use super::super::sample::Sample;
-use super::super::{ClampCodes, Config, LengthMode, ProgramZero, Stock};
 use crate::control::LinuxCnc;
+use crate::motion::ClampCodes;
+use crate::set_up::{LengthMode, ProgramZero, Stock};
 
 fn rotation(text: &str) -> Rotation3<f64> {
     let config = Config::read::<Sample>(&format!("part_rotation = {text}\n"), &LinuxCnc);

@@ -43,6 +43,7 @@ impl ControlFunction {
 
 /// Effect of a line or a word that the user brought into the program, for the check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum LineEffect {
     /// Nothing that the check reads.
     None,

@@ -15,12 +15,14 @@ mod siemens;
 mod spellings;
 
 pub use control::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard};
-pub use functions::{ControlFunction, LineEffect};
-pub(crate) use spellings::STANDARD_M;
-pub use spellings::{
-    ArcCentre, ArcCodes, Cancel, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, FoundAt, HoleCycles,
-    LengthCall, LengthCodes, LinearRapids, MachineRetract, MessageStyle, RetractForm, Spellings, ThreadCodes,
-    TiltedPlaneCodes, TipControlCodes, ToolAxisWords,
+pub(crate) use functions::ControlFunction;
+pub use functions::LineEffect;
+#[cfg(test)]
+pub(crate) use spellings::HoleCycles;
+pub use spellings::Spellings;
+pub(crate) use spellings::{
+    ArcCentre, Cancel, CycleCodes, CycleDefinitions, CycleForm, LengthCall, LinearRapids, MachineRetract, MessageStyle,
+    RetractForm, STANDARD_M, ThreadCodes, TipControlCodes, ToolAxisWords,
 };
 
 /// Declares the list of controls and the public name of each.
@@ -44,7 +46,7 @@ controls! {
 /// Whether the language of a control is that of the default of the command line, for which a first program without a
 /// set-up file is posted.
 #[must_use]
-pub fn is_default_family(control: &dyn Control) -> bool {
+pub(crate) fn is_default_family(control: &dyn Control) -> bool {
     CONTROLS.first().is_some_and(|default| default.spellings().name == control.family())
 }
 

@@ -35,7 +35,7 @@ use text::plain;
 use text::{legible, lines_of};
 
 /// Writes steps in the codes of a control, and leaves out words that are in force.
-pub struct Encoder<'a> {
+pub(crate) struct Encoder<'a> {
     control: &'a dyn Control,
     codes: &'static Spellings,
     out: ModalWriter<'a>,
@@ -64,7 +64,7 @@ pub struct Encoder<'a> {
 
 impl<'a> Encoder<'a> {
     /// An encoder for a new program: the modal state of the control is unknown.
-    pub fn new(control: &'a dyn Control, layout: &Layout, out: &'a mut dyn Write) -> Self {
+    pub(crate) fn new(control: &'a dyn Control, layout: &Layout, out: &'a mut dyn Write) -> Self {
         let codes = control.spellings();
         Self {
             control,
@@ -91,7 +91,7 @@ impl<'a> Encoder<'a> {
     ///
     /// # Errors
     /// Errors of the output.
-    pub fn open(&mut self, blank: Option<(&Stock, bool)>) -> io::Result<()> {
+    pub(crate) fn open(&mut self, blank: Option<(&Stock, bool)>) -> io::Result<()> {
         if self.file_header {
             let header = self.control.file_header(&plain(&self.out.values().name));
             header.iter().try_for_each(|line| self.out.writer_mut().line(line.as_bytes()))?;
@@ -116,7 +116,7 @@ impl<'a> Encoder<'a> {
     ///
     /// # Errors
     /// Errors of the output.
-    pub fn start(&mut self) -> io::Result<()> {
+    pub(crate) fn start(&mut self) -> io::Result<()> {
         self.out.configured_blocks(&self.program.start)
     }
 
@@ -124,7 +124,7 @@ impl<'a> Encoder<'a> {
     ///
     /// # Errors
     /// Errors of the output.
-    pub fn end(&mut self, remarks: &[String]) -> io::Result<()> {
+    pub(crate) fn end(&mut self, remarks: &[String]) -> io::Result<()> {
         // A code of the CL data may have come since it was on.
         self.out.stop_smoothing()?;
         self.out.configured_blocks(&self.program.end)?;
@@ -137,7 +137,7 @@ impl<'a> Encoder<'a> {
     ///
     /// # Errors
     /// Errors of the output.
-    pub fn comment(&mut self, text: &[u8]) -> io::Result<()> {
+    pub(crate) fn comment(&mut self, text: &[u8]) -> io::Result<()> {
         let text = legible(text);
         for piece in lines_of(&text, self.codes.comment.length) {
             self.line.clear();
@@ -148,17 +148,17 @@ impl<'a> Encoder<'a> {
     }
 
     /// Records the lines from now on; [`take_lines`](Self::take_lines) returns them.
-    pub fn keep_lines(&mut self) {
+    pub(crate) fn keep_lines(&mut self) {
         self.out.writer_mut().keep_lines();
     }
 
     /// Returns the lines since the last call; none if they are not recorded.
-    pub fn take_lines(&mut self) -> impl Iterator<Item = WrittenLine> + '_ {
+    pub(crate) fn take_lines(&mut self) -> impl Iterator<Item = WrittenLine> + '_ {
         self.out.writer_mut().take_lines()
     }
 
     /// Number of blocks written so far, without comments.
-    pub fn blocks(&self) -> u64 {
+    pub(crate) fn blocks(&self) -> u64 {
         self.out.writer().blocks()
     }
 
@@ -166,7 +166,7 @@ impl<'a> Encoder<'a> {
     ///
     /// # Errors
     /// Errors of the output.
-    pub fn finish(&mut self) -> io::Result<()> {
+    pub(crate) fn finish(&mut self) -> io::Result<()> {
         self.out.writer_mut().finish()
     }
 
@@ -175,7 +175,7 @@ impl<'a> Encoder<'a> {
     /// # Errors
     /// Errors of the output.
     #[inline]
-    pub fn encode(&mut self, step: &Step<'_>) -> io::Result<()> {
+    pub(crate) fn encode(&mut self, step: &Step<'_>) -> io::Result<()> {
         let (codes, out) = (self.codes, &mut self.out);
         if !matches!(step, Step::Cycle { .. }) {
             self.holes.end_cycle(out)?;

@@ -20,7 +20,7 @@ mod whole;
 use wide::f64x2;
 
 #[cfg(feature = "std")]
-pub use whole::rounded;
+pub(crate) use whole::rounded;
 #[cfg(feature = "std")]
 pub(crate) use whole::{LARGEST_SHIFTED, rounded_below, rounded_both};
 
@@ -44,13 +44,15 @@ pub fn atan2(y: f64, x: f64) -> f64 {
 
 /// Arc sine, in \[-π/2, π/2\]; NaN outside \[-1, 1\].
 #[must_use]
-pub fn asin(x: f64) -> f64 {
+#[cfg(feature = "std")]
+pub(crate) fn asin(x: f64) -> f64 {
     libm::asin(x)
 }
 
 /// Logarithm to base 10.
 #[must_use]
-pub fn log10(x: f64) -> f64 {
+#[cfg(feature = "std")]
+pub(crate) fn log10(x: f64) -> f64 {
     libm::log10(x)
 }
 
@@ -113,14 +115,14 @@ pub fn abs(x: f64) -> f64 {
 /// The larger number; `y` if one of them is NaN. One instruction, where `f64::max` has to look for NaN.
 #[must_use]
 #[inline]
-pub fn larger(x: f64, y: f64) -> f64 {
+pub(crate) fn larger(x: f64, y: f64) -> f64 {
     if x > y { x } else { y }
 }
 
 /// The smaller number; `y` if one of them is NaN.
 #[must_use]
 #[inline]
-pub fn smaller(x: f64, y: f64) -> f64 {
+pub(crate) fn smaller(x: f64, y: f64) -> f64 {
     if x < y { x } else { y }
 }
 

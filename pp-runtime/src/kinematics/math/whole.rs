@@ -14,7 +14,7 @@ pub(crate) const LARGEST_SHIFTED: f64 = 2_251_799_813_685_248.0;
 /// Where the processor has no instruction for it, `f64::round` is a call.
 #[inline]
 #[must_use]
-pub fn rounded(value: f64) -> i64 {
+pub(crate) fn rounded(value: f64) -> i64 {
     // One test for both, unlike `rounded_below`: it spares an instruction or two for each number of a program.
     let shifted = value + SHIFT;
     let rest = value - (shifted - SHIFT);

@@ -115,6 +115,7 @@ impl Links {
 
 /// Motion from one operation to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Transition {
     /// Retract, rotate, approach.
     Safe,

@@ -37,11 +37,11 @@ use crate::program::Units;
 use crate::set_up::LengthMode;
 
 pub(crate) use entry::TipEntry;
-pub use frame::{TipAbility, TipStart};
+pub(crate) use frame::{TipAbility, TipStart};
 pub(crate) use linearise::{Linearised, PathTolerance, RotationLaw, WholeMotion};
 pub(crate) use refusal::limits_text;
-pub use suited::{UsableModes, unsuited};
-pub use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
+pub(crate) use suited::{UsableModes, unsuited};
+pub(crate) use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
 
 use crate::motion::tolerances::{GUARDED_ANGLE_DEG, LEAST_GUARDED_RATE};
 pub(crate) use axes::Poles;

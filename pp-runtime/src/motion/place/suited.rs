@@ -72,7 +72,7 @@ impl UsableModes {
 /// Reasons why a machine, its control and a configuration do not suit the configured mode, one sentence each. Mode
 /// `auto` suits all of them, and so does a mode for some operations: what a stretch needs is known with the CL data.
 #[must_use]
-pub fn unsuited(
+pub(crate) fn unsuited(
     machine: &dyn AnyMachine,
     policy: Policy<'_>,
     control: &str,

@@ -34,6 +34,7 @@ pub struct FastestRotation {
 
 /// Times of a program.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Times {
     /// Feed motions.
     pub cutting_min: f64,

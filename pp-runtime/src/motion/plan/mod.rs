@@ -50,13 +50,15 @@ use crate::motion::rotary::{RotaryTarget, RotaryWords};
 use crate::motion::source::{Begins, ItemAction, LinePart, MotionIndex, Next, ProgramItem, Stage};
 use crate::motion::step::{BlockReason, MAX_AXES, Sink};
 
-pub use abilities::{Abilities, CutterRadius, OperationBlocks, Registers};
-pub use clamps::MovingAxes;
+pub(crate) use abilities::{Abilities, CutterRadius, OperationBlocks, Registers};
+pub(crate) use clamps::MovingAxes;
 pub(crate) use hole::hole_extent;
-pub use machining_time::{FastestRotation, OperationTime, Times};
-pub use proof::{ProofProgram, Sweep};
-pub use statistics::{ChordedArcs, Statistics, SurfaceDeviation};
-pub use threads::{Thread, Threads};
+pub(crate) use machining_time::OperationTime;
+pub use machining_time::Times;
+pub(crate) use proof::{ProofProgram, Sweep};
+pub(crate) use statistics::ChordedArcs;
+pub use statistics::Statistics;
+pub(crate) use threads::Threads;
 
 use crate::motion::geometry::ClearanceGeometry;
 use coolant::CoolantState;

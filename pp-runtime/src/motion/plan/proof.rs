@@ -28,20 +28,20 @@ const SIGHT: f64 = 0.01;
 
 /// One sweep: from one stop to the next only one axis rotates.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sweep {
+pub(crate) struct Sweep {
     /// Name with the axis that rotates and the angle of the other one.
     pub name: String,
     stops: Vec<RotaryWords>,
 }
 
 /// Plans the proof program of a machine.
-pub struct ProofProgram<'p, 'a, S> {
+pub(crate) struct ProofProgram<'p, 'a, S> {
     planner: &'p mut Planner<'a, S>,
 }
 
 impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
     /// Begins a proof program; the planner must not plan anything else.
-    pub fn new(planner: &'p mut Planner<'a, S>) -> Self {
+    pub(crate) fn new(planner: &'p mut Planner<'a, S>) -> Self {
         Self { planner }
     }
 
@@ -50,7 +50,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
     ///
     /// # Errors
     /// [`PlanningError`] if an axis cannot be swept: its travel is unknown, or it is indexed.
-    pub fn sweeps(&self) -> Result<Vec<Sweep>, PlanningError> {
+    pub(crate) fn sweeps(&self) -> Result<Vec<Sweep>, PlanningError> {
         let rotaries = self.planner.mover.placer().rotaries();
         let mut rest = [0; 2];
         for (word, rotary) in rest.iter_mut().zip(rotaries) {
@@ -95,7 +95,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
     }
 
     /// The tool axes of the sweeps in the part, at most 0.01 rad from each other.
-    pub fn tool_axes<'s>(&'s self, sweeps: &'s [Sweep]) -> impl Iterator<Item = UnitVector3<f64>> + 's {
+    pub(crate) fn tool_axes<'s>(&'s self, sweeps: &'s [Sweep]) -> impl Iterator<Item = UnitVector3<f64>> + 's {
         let placer = self.planner.mover.placer();
         let step = placer.scale().angle(1);
         sweeps.iter().flat_map(|sweep| sweep.stops.windows(2)).flat_map(move |pair| {
@@ -140,7 +140,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
     ///
     /// # Errors
     /// [`PlanningError`] if a point of it cannot be reached, or the output fails.
-    pub fn plan(&mut self, tool: u32, tip: Point3<f64>, sweeps: &[Sweep]) -> Result<(), PlanningError> {
+    pub(crate) fn plan(&mut self, tool: u32, tip: Point3<f64>, sweeps: &[Sweep]) -> Result<(), PlanningError> {
         let at = Location::default();
         self.planner.mover.output_mut().serve(at, BlockReason::Record);
         self.plan_all(tool, tip, sweeps).map_err(|halt| halt.at(at))?;

@@ -6,6 +6,7 @@ use crate::motion::place::PathTolerance;
 
 /// Statistics of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Statistics {
     /// Motions of the CL data that were posted.
     pub motions: u64,

@@ -30,10 +30,10 @@ use crate::program::{
 
 use crate::motion::fault::Fault;
 
-pub use lookahead::Next;
-pub use operations::{Begins, MotionIndex};
+pub(crate) use lookahead::Next;
+pub(crate) use operations::{Begins, MotionIndex};
 pub(crate) use setting::Setting;
-pub use settings::{Chosen, ChosenSettings, OperationStart};
+pub(crate) use settings::{Chosen, OperationStart};
 
 use crate::motion::tolerances::SAME_POSE;
 use curves::Curves;

@@ -11,12 +11,13 @@ use crate::program::{Coolant, Rotation};
 use crate::motion::geometry::Circle;
 use crate::motion::options::Smoothing;
 
-pub use crate::kinematics::MAX_AXES;
-pub use cycle::{CannedCycle, CannedKind, CycleAbilities, FineBoreAbility, UnusedCycles};
-pub use provenance::{BlockReason, Provenance, ReachedPosition};
+pub(crate) use crate::kinematics::MAX_AXES;
+pub(crate) use cycle::{CannedCycle, CannedKind, CycleAbilities, FineBoreAbility, UnusedCycles};
+pub use provenance::Provenance;
+pub(crate) use provenance::{BlockReason, ReachedPosition};
 
 /// Decimals of the components of a tool axis, as in CL data.
-pub const VECTOR_DECIMALS: u32 = 7;
+pub(crate) const VECTOR_DECIMALS: u32 = 7;
 
 /// Axis words of a block: whole units of their last decimal, by position in the chain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -356,7 +357,7 @@ impl<S: Sink> Sink for &mut S {
 
 /// Sink that drops the steps, for a rehearsal.
 #[derive(Debug, Clone, Copy)]
-pub struct DiscardSteps;
+pub(crate) struct DiscardSteps;
 
 impl Sink for DiscardSteps {
     fn step(&mut self, _: &Step<'_>, _: &Provenance<'_>) -> io::Result<()> {

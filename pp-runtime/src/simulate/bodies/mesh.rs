@@ -22,7 +22,7 @@ const TRIANGLE_BYTES: u64 = 50;
 
 /// A closed body.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Mesh {
+pub(crate) struct Mesh {
     vertices: Vec<[f64; 3]>,
     faces: Vec<[u32; 3]>,
 }
@@ -30,14 +30,15 @@ pub struct Mesh {
 /// The reason why a file is no body.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
-pub struct MeshFault(String);
+pub(crate) struct MeshFault(String);
 
 impl Mesh {
     /// Reads an STL file, binary or text.
     ///
     /// # Errors
     /// A sentence about a file that is no STL file, or a body that is open, inside out or too large.
-    pub fn read(input: &mut (impl Read + Seek)) -> Result<Self, MeshFault> {
+    #[cfg(test)]
+    pub(crate) fn read(input: &mut (impl Read + Seek)) -> Result<Self, MeshFault> {
         let mesh = Self::read_surface(input)?;
         mesh.flaw().map_or(Ok(mesh), |flaw| Err(MeshFault(flaw)))
     }
@@ -65,7 +66,7 @@ impl Mesh {
     ///
     /// # Errors
     /// A sentence about a body that is empty, open or inside out.
-    pub fn new(vertices: Vec<[f64; 3]>, faces: Vec<[u32; 3]>) -> Result<Self, MeshFault> {
+    pub(crate) fn new(vertices: Vec<[f64; 3]>, faces: Vec<[u32; 3]>) -> Result<Self, MeshFault> {
         let mesh = Self::surface(vertices, faces)?;
         mesh.flaw().map_or(Ok(mesh), |flaw| Err(MeshFault(flaw)))
     }
@@ -137,7 +138,7 @@ impl Mesh {
 
     /// Volume, mm³.
     #[must_use]
-    pub fn volume(&self) -> f64 {
+    pub(crate) fn volume(&self) -> f64 {
         let origin = self.vertices[0];
         let from = |index: u32| -> [f64; 3] {
             let vertex = self.vertices[index as usize];
@@ -152,13 +153,13 @@ impl Mesh {
 
     /// Number of triangles.
     #[must_use]
-    pub fn triangles(&self) -> usize {
+    pub(crate) fn triangles(&self) -> usize {
         self.faces.len()
     }
 
     /// Corners of the box around it.
     #[must_use]
-    pub fn corners(&self) -> [[f64; 3]; 2] {
+    pub(crate) fn corners(&self) -> [[f64; 3]; 2] {
         let (mut low, mut high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         for vertex in self.faces.iter().flatten().map(|index| self.vertices[*index as usize]) {
             for axis in 0..3 {
@@ -170,7 +171,7 @@ impl Mesh {
 
     /// The body rotated about the origin.
     #[must_use]
-    pub fn rotated(self, rotation: &Rotation3<f64>) -> Self {
+    pub(crate) fn rotated(self, rotation: &Rotation3<f64>) -> Self {
         self.moved(|vertex| (rotation * nalgebra::Vector3::from(vertex)).into())
     }
 
@@ -237,7 +238,7 @@ impl Mesh {
     ///
     /// # Errors
     /// Those of [`TriDexel::empty`], and a body that is entered and left a different number of times.
-    pub fn stock(&self, pitch_mm: f64) -> Result<TriDexel, StockFault> {
+    pub(crate) fn stock(&self, pitch_mm: f64) -> Result<TriDexel, StockFault> {
         let corners = self.corners();
         let empty = TriDexel::empty(corners, pitch_mm)?;
         let mut lines = [0, 1, 2].map(|family| self.lines_through(&empty, family));

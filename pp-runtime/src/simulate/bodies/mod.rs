@@ -8,7 +8,7 @@ mod solid;
 mod tests;
 
 pub(crate) use centre_line::CentreLine;
-pub use mesh::{Mesh, MeshFault};
+pub(crate) use mesh::Mesh;
 #[cfg(test)]
 pub(crate) use shapes::block;
 pub(crate) use shapes::{CHORD_MM, chord_of, turned};

@@ -13,9 +13,10 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use stock::Removed;
+pub(crate) use stock::{FilledPart, Removed};
 pub(crate) use surface::{EndValues, MarkedSurface};
 
 pub use profile::{Cutter, Profile, ShapeFault};
-pub use stock::{Contact, Effort, FilledPart, StockFault, TriDexel};
-pub use sweep::{LARGEST_TURN, SweptPiece};
+pub use stock::{Contact, StockFault, TriDexel};
+pub(crate) use sweep::LARGEST_TURN;
+pub use sweep::SweptPiece;

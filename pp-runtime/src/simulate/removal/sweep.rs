@@ -38,7 +38,7 @@ pub(super) const LANES: usize = 8;
 pub(super) type Lanes = [f64; LANES];
 
 /// Largest angle of the axis in one piece, rad: the cubic terms above are bounds up to it.
-pub const LARGEST_TURN: f64 = 0.1;
+pub(crate) const LARGEST_TURN: f64 = 0.1;
 
 /// Difference of two axes that is rounding.
 const STILL: f64 = 1e-9;

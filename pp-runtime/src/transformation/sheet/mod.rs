@@ -27,6 +27,7 @@ use print::print;
 
 /// A control with a transformation of its own, whose parameters are compared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SheetControl {
     /// SINUMERIK: swivel data record (CYCLE800) and machine data (TRAORI).
     Siemens,

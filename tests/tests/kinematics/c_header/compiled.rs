@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 use nalgebra::Vector3;
-use pp_runtime::kinematics::any::AnyMachine;
+use pp_runtime::kinematics::AnyMachine;
 use pp_runtime::kinematics::{AxisValues, MAX_AXES, Pose};
 use pp_runtime::nalgebra;
 use pp_runtime::transformation::c_header;

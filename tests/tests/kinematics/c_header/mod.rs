@@ -10,7 +10,7 @@ mod machines;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::{Point3, Unit, UnitVector3, Vector3};
-use pp_runtime::kinematics::any::AnyMachine;
+use pp_runtime::kinematics::AnyMachine;
 use pp_runtime::kinematics::{AxisKind, AxisValues, DimensionKind, MAX_AXES, Machine, Pose};
 use pp_runtime::nalgebra;
 use tests::oracle::Oracle;

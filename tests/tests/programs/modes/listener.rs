@@ -3,11 +3,13 @@
 use std::collections::BTreeMap;
 use std::io;
 
-use pp_runtime::config::{Config, Units};
-use pp_runtime::control::{self, Control};
+use pp_runtime::config::Config;
+use pp_runtime::control::Control;
+use pp_runtime::inside::{
+    self, AxisWords, FeedWord, Navigator, Planner, PlanningError, Provenance, Sink, Source, Stage, Step,
+};
 use pp_runtime::kinematics::{AxisKind, Machine};
-use pp_runtime::motion::{FeedWord, Navigator, Planner, PlanningError, Provenance, Sink, Source, Stage, Step};
-use pp_runtime::program::{Event, Location, ToolMotion};
+use pp_runtime::program::{Event, Location, ToolMotion, Units};
 
 /// Words of the axes in force, and the frame in which the control interprets them.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -77,7 +79,7 @@ impl<M: Machine> Listener<M> {
         }
     }
 
-    fn take(&mut self, words: &pp_runtime::motion::AxisWords) -> bool {
+    fn take(&mut self, words: &AxisWords) -> bool {
         let mut rotated = words.vector.is_some();
         self.state.vector = words.vector.map(|vector| vector.map(|units| units as f64 * 1e-7)).or(self.state.vector);
         for (index, axis) in M::AXES.iter().enumerate().filter(|(index, _)| words.has(*index)) {
@@ -146,16 +148,17 @@ pub(crate) fn posted<M: Machine>(
     events: &[Event<'_>],
 ) -> Result<Vec<ProgramState>, String> {
     let machine = config.set_up.machine::<M>().expect("valid");
-    let unfit = control::unfit(&M::default(), control, config.demands());
+    let unfit = config.unfit(&M::default(), control);
     if !unfit.is_empty() {
         return Err(unfit.join("\n"));
     }
-    let mut navigator = Navigator::new(Box::new(machine.clone()), config.policy());
+    let mut navigator = Navigator::new(Box::new(machine.clone()), inside::policy(config));
     send_events::<M, _>(config, events, &mut navigator).expect("a navigator refuses nothing");
-    let abilities = control::abilities(control, config.demands());
+    let abilities = inside::abilities(control, config);
     let listener = Listener::<M>::new(config);
-    let mut planner = Planner::new(Box::new(machine), config.policy(), Units::Millimetres, &abilities, false, listener)
-        .with_course(navigator.finish());
+    let mut planner =
+        Planner::new(Box::new(machine), inside::policy(config), Units::Millimetres, &abilities, false, listener)
+            .with_course(navigator.finish());
     let fault = |stop: PlanningError| match stop {
         PlanningError::Fault(fault) => fault.text,
         PlanningError::Output(error) => panic!("{error}"),
@@ -177,7 +180,7 @@ pub(crate) fn send_events<M: Machine, S: Stage>(
     events: &[Event<'_>],
     stage: &mut S,
 ) -> Result<(), S::Stop> {
-    let mut source = Source::new(&M::default(), config.policy());
+    let mut source = Source::new(&M::default(), inside::policy(config));
     for (line, event) in events.iter().enumerate() {
         source.event(Location { line: line as u64 + 1, column: 1 }, event, stage)?;
     }

@@ -12,6 +12,7 @@ use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::config::{Config, Mode, TcpFrame, TcpWords, ToolPosture, starting_point};
 use pp_runtime::control::{self, Control, PlaneBy, TipControlSwitch};
+use pp_runtime::inside;
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use pp_runtime::machine;
 use pp_runtime::program::{Event, Feed, MachineFunction, Move, NewStart, Rotation, Spindle, ToolCall, ToolMotion};
@@ -99,7 +100,7 @@ fn compare_variant<M: Machine>(variant: Variant, seed: u64) -> usize {
         let off = angle_between(&commanded_pose(&machine, &config, name, framed).1, &motion.pose.axis);
         match (mode, words) {
             (Mode::Plane, _) => {
-                let decimals = control::abilities(control, config.demands()).plane.expect("it tilts").decimals;
+                let decimals = inside::abilities(control, &config).plane.expect("it tilts").decimals;
                 let half_unit = 0.5 * 10_f64.powi(-decimals.cast_signed()).to_radians();
                 assert!(off <= 3.0 * half_unit + 1e-12, "{context}: axis {off}");
             }
@@ -305,7 +306,7 @@ fn unsupported_modes_are_refused_with_the_alternative() {
         let mut config = set_up(mode, None, control, &mut random);
         config.motion.tip.tcp_confirmed = false;
         change(&mut config);
-        control::unfit(&SpinnerU5620::default(), control, config.demands()).join("\n")
+        config.unfit(&SpinnerU5620::default(), control).join("\n")
     };
     let (linuxcnc, fanuc, haas) = (&control::LinuxCnc, &control::Fanuc, &control::Haas);
     assert!(
@@ -339,12 +340,12 @@ fn unsupported_modes_are_refused_with_the_alternative() {
     let config = set_up(Mode::Tcp, None, haas, &mut random);
     let mut unconfirmed = config;
     unconfirmed.motion.tip.tcp_confirmed = false;
-    assert_eq!(control::unfit(&SpinnerU5620::default(), haas, unconfirmed.demands()), Vec::<String>::new());
-    let quill = control::unfit(&Quill::default(), haas, unconfirmed.demands()).join("\n");
+    assert_eq!(unconfirmed.unfit(&SpinnerU5620::default(), haas), Vec::<String>::new());
+    let quill = unconfirmed.unfit(&Quill::default(), haas).join("\n");
     assert!(quill.contains("a held axis") && quill.contains("`tcp_confirmed = true`"), "{quill}");
     let mut config = unconfirmed;
     config.motion.tip.tcp_confirmed = true;
-    assert_eq!(control::unfit(&Quill::default(), haas, config.demands()), Vec::<String>::new());
+    assert_eq!(config.unfit(&Quill::default(), haas), Vec::<String>::new());
 }
 
 #[test]

@@ -1,10 +1,11 @@
 //! Random parts and set-ups.
 
 use nalgebra::{Point3, UnitVector3};
-use pp_runtime::config::{Config, GivenTool, Mode, TcpFrame, starting_point};
+use pp_runtime::config::{Config, Mode, TcpFrame, starting_point};
 use pp_runtime::control::Control;
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use pp_runtime::program::{Event, Feed, MachineFunction, Move, NewStart, Rotation, Spindle, ToolCall, ToolMotion};
+use pp_runtime::set_up::GivenTool;
 use tests::oracle::Oracle;
 use tests::random::Random;
 

@@ -123,7 +123,7 @@ impl Case {
         let mut config = config.map_err(|faults| faults[0].text.clone())?;
         config.motion.mode = self.mode;
         config.given.insert("part_origin");
-        let unfit = control::unfit(&M::default(), self.control, config.demands()).into_iter().next();
+        let unfit = config.unfit(&M::default(), self.control).into_iter().next();
         unfit.map_or(Ok(config), Err)
     }
 }
