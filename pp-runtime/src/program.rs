@@ -379,7 +379,7 @@ pub struct Gaps {
 }
 
 impl Gaps {
-    /// These gaps; `None` if they are more than [`MOST_GAPS`].
+    /// These gaps; `None` if they are more than `MOST_GAPS`.
     #[must_use]
     pub fn of(found: &[Gap]) -> Option<Self> {
         let mut gaps = [Gap::default(); MOST_GAPS];

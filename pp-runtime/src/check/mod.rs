@@ -127,7 +127,7 @@ pub(crate) fn check_for(
     check_data(machine, policy, &mut data, &mut program, None)
 }
 
-/// [`check_for`] that shows every block to an observer as it is executed.
+/// `check_for` that shows every block to an observer as it is executed.
 ///
 /// # Errors
 /// Those of [`check()`].

@@ -1,6 +1,6 @@
 //! Reads CL data (APT source, CLS files) into machine-independent events.
 //!
-//! `text` splits bytes into statements, [`record`] makes typed [`Record`]s of them, and `meaning` applies units and
+//! `text` splits bytes into statements, [`record`] makes typed `Record`s of them, and `meaning` applies units and
 //! modes and returns the [`Event`](crate::program::Event)s of [`program`](crate::program). The [`ClReader`] calls these
 //! three in turn and keeps subprograms and diagnostics; `batch` has its events in batches, and `events` hands them on,
 //! read ahead or not. Memory is constant: one read buffer, one buffer for joined

@@ -7,10 +7,10 @@
 //!   [`CONTROLS`].
 //! - `states`: the states of each control that change the meaning of words, and how programs deal with them.
 //! - [`template`]: blocks with named fields, used in tables and configurations.
-//! - [`ControlOptions`]: settings of a job for its control; [`unfit`] lists those that the control does not support,
-//!   [`take_out_lacking`] leaves those out that a program does without, and [`abilities`] states which functions of the
-//!   control the planner may use. [`Layout`] is the part that the encoder reads.
-//! - [`Encoder`]: converts steps to blocks.
+//! - [`ControlOptions`]: settings of a job for its control; `unfit` lists those that the control does not support,
+//!   `take_out_lacking` leaves those out that a program does without, and `abilities` states which functions of the
+//!   control the planner may use. `Layout` is the part that the encoder reads.
+//! - `Encoder`: converts steps to blocks.
 //!
 //! A control of one's own is a [`Control`] over one of these; its documentation has an example.
 //!

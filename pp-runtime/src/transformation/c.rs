@@ -7,7 +7,7 @@ use crate::kinematics::{AnyMachine, Axis, AxisKind, CSource, Side};
 use super::math::PREFIX;
 use super::{NotExpressible, complete, math};
 
-/// Forward and inverse kinematics of a machine as a C99 header; all its names begin with `prefix` (see [`identifier`]).
+/// Forward and inverse kinematics of a machine as a C99 header; all its names begin with `prefix` (see `identifier`).
 ///
 /// Lengths in mm, angles in rad, axes in chain order:
 ///

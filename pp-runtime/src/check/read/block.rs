@@ -504,7 +504,7 @@ pub struct Block {
     pub only_moves: bool,
     /// A complete state begins here: the block names the unit, or a line of the shop takes its place.
     pub restart: bool,
-    /// Bits of [`stated`].
+    /// Bits of `stated`.
     pub stated: u8,
     /// Guards that end with it.
     pub guards: EndedGuards,

@@ -8,7 +8,7 @@ use crate::keys::{OneOf, YesNo, options};
 /// Meaning of the words of a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
-    /// Chosen for each stretch by the motion of its tool axis: see [`StretchMode`].
+    /// Chosen for each stretch by the motion of its tool axis: see `StretchMode`.
     Auto,
     /// Axis positions: the inverse kinematics is in the program.
     Axes,

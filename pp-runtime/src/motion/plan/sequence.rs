@@ -319,8 +319,10 @@ impl<S: Sink> Planner<'_, S> {
             let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance_mm, tool.offset, tool.number);
             self.mover.output_mut().guard(&Step::LengthGuard { label, tool, offset, length, tolerance })?;
         }
-        let guard = self.compensation().1.guard(&tool);
-        guard.map_or(Ok(()), |guard| Ok(self.mover.output_mut().guard(&guard)?))
+        if let Some(guard) = self.compensation().1.guard(&tool) {
+            self.mover.output_mut().guard(&guard)?;
+        }
+        Ok(())
     }
 
     /// Blocks of the shop for the tool that has cut, at the machine retract with spindle and coolant off.

@@ -26,7 +26,7 @@ pub struct AxisWords {
     pub units: [i64; MAX_AXES],
     /// Bit `i` is set for the axis at position `i`.
     pub mask: u16,
-    /// Tool axis in the frame of the control, instead of rotary words: units of [`VECTOR_DECIMALS`] decimals.
+    /// Tool axis in the frame of the control, instead of rotary words: units of `VECTOR_DECIMALS` decimals.
     pub vector: Option<[i64; 3]>,
 }
 

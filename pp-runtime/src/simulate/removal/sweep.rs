@@ -85,7 +85,7 @@ fn along(a: &[f64; 3], b: &[f64; 3], share: f64) -> [f64; 3] {
 
 impl SweptPiece {
     /// The motion between two poses: the tip evenly along a straight line, the axis on the arc between both, which must
-    /// not be longer than [`LARGEST_TURN`]. `profile` is the index of its shape; `id` is stated where it cuts.
+    /// not be longer than `LARGEST_TURN`. `profile` is the index of its shape; `id` is stated where it cuts.
     #[must_use]
     pub fn new(from: &Pose, to: &Pose, profile: u32, id: u32) -> Self {
         let turn = to.axis.into_inner() - from.axis.into_inner();
