@@ -15,7 +15,7 @@ use crate::symbolic::{Interpreter, Poly, Ring};
 pub(crate) fn prove_lengths(model: &Model, solved: &mut Solved, two: &TwoRotaries) -> Result<(), String> {
     let letters = model.letters(two.rotaries);
     let graph = &mut solved.graph;
-    let cosines = [two.tilt.between.1, two.tilt.tool.1, two.edge.along.0];
+    let cosines = [two.tilt.between.cosine, two.tilt.tool.cosine, two.edge.along.0];
     let sine_squares =
         |values: &[Poly; 3], ring: &Ring| values.clone().map(|value| &Poly::one() - &ring.mul(&value, &value));
     let parts = |[p, q, along]: &[Poly; 3], ring: &Ring| {
