@@ -612,8 +612,8 @@ fn cut(
         let merged = finder.merged(to, states) || finder.merged(&here, search.layer());
         tested.begin_at(done);
         if search.cut(motion, states, None, |a, b| {
-            let ends = [CutEnd { pose: &here, state: a }, CutEnd { pose: to, state: b }];
-            finder.connected(ends[0], ends[1], merged, tested)
+            let (start, end) = (CutEnd { pose: &here, state: a }, CutEnd { pose: to, state: b });
+            finder.connected(start, end, merged, tested)
         }) {
             return true;
         }
@@ -628,8 +628,8 @@ fn cut(
             // No other search asks for cuts to this pose.
             let mut tested = TestedCuts::default();
             let mut connected = |a: &RotaryState, b: &RotaryState| {
-                let ends = [CutEnd { pose: &here, state: a }, CutEnd { pose: &pose, state: b }];
-                finder.connected(ends[0], ends[1], false, &mut tested)
+                let (start, end) = (CutEnd { pose: &here, state: a }, CutEnd { pose: &pose, state: b });
+                finder.connected(start, end, false, &mut tested)
             };
             let reached = search.cut(motion, &split, Some(part), &mut connected);
             reached.then_some(pose)

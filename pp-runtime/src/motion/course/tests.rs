@@ -112,12 +112,8 @@ impl ExhaustiveSearch<'_> {
                 let rewound = Cost { rewinds: u32::from(*start != from), ..Cost::default() };
                 let cost = Self::sum(Self::sum(cost, rewound), turning(&from, start));
                 let from = CutEnd { pose: before, state: start };
-                if self.finder.connected(
-                    from,
-                    CutEnd { pose: &point.pose, state: to },
-                    false,
-                    &mut TestedCuts::default(),
-                ) {
+                let end = CutEnd { pose: &point.pose, state: to };
+                if self.finder.connected(from, end, false, &mut TestedCuts::default()) {
                     next.push((*to, Self::sum(cost, turning(start, to))));
                 }
             }
