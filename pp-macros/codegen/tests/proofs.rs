@@ -7,7 +7,7 @@ use pp_codegen::model::Model;
 use pp_codegen::proof::prove;
 use pp_codegen::report::Errors;
 use pp_codegen::solve::{AngleRelation, Orientation, Solved, solve};
-use pp_codegen::symbolic::{Id, Interpreter};
+use pp_codegen::symbolic::{Id, Interpreter, SineCosine};
 use pp_codegen::syntax::parse;
 
 fn solved(text: &str) -> (Model, Solved) {
@@ -81,15 +81,13 @@ fn a_flipped_sign_in_any_output_is_not_proven() {
 
 #[test]
 fn sine_and_cosine_swapped_are_not_proven() {
+    let swap = |word: &mut SineCosine| *word = SineCosine { sine: word.cosine, cosine: word.sine };
     for text in ALL {
         let (model, mut flawed) = solved(text);
         match &mut flawed.orientation {
             Orientation::Fixed { .. } => continue,
-            Orientation::One(one) => one.word = (one.word.1, one.word.0),
-            Orientation::Two(two) => {
-                let word = &mut two.branches[0].words[1];
-                *word = (word.1, word.0);
-            }
+            Orientation::One(one) => swap(&mut one.word),
+            Orientation::Two(two) => swap(&mut two.branches[0].words[1]),
         }
         assert!(prove(&model, &flawed).is_err(), "{text}");
     }
@@ -132,15 +130,15 @@ fn outputs(solved: &mut Solved) -> Vec<&mut Id> {
     list.extend(solved.directions.iter_mut().chain(&mut solved.centres).chain([&mut solved.tool_axis]).flatten());
     match &mut solved.orientation {
         Orientation::Fixed { .. } => {}
-        Orientation::One(one) => list.extend([&mut one.word.0, &mut one.word.1]),
+        Orientation::One(one) => list.extend([&mut one.word.sine, &mut one.word.cosine]),
         Orientation::Two(two) => {
             for branch in &mut two.branches {
-                for (sine, cosine) in &mut branch.words {
-                    list.extend([sine, cosine]);
+                for word in &mut branch.words {
+                    list.extend([&mut word.sine, &mut word.cosine]);
                 }
             }
             let edge = &mut two.edge;
-            list.extend([&mut edge.second.0, &mut edge.second.1, &mut edge.first.0, &mut edge.first.1]);
+            list.extend([&mut edge.second.sine, &mut edge.second.cosine, &mut edge.first.sine, &mut edge.first.cosine]);
             list.extend([&mut edge.reached_squared, &mut edge.along.1, &mut edge.first_squared]);
         }
     }

@@ -59,7 +59,11 @@ pub(crate) fn excerpts(
     }
     let reached = (scan.line, scan.offset);
     windows.retain(|(location, _), _| (location.line, 0) < reached);
-    Ok(windows.into_iter().map(|(place, window)| (place, show(place, &window))).collect())
+    let shown = |(place, window): ((Location, u32), Window)| {
+        let (location, length) = place;
+        (place, show(location, length, &window))
+    };
+    Ok(windows.into_iter().map(shown).collect())
 }
 
 /// Position of the pass in the text.
@@ -111,8 +115,9 @@ impl LineScan {
     }
 }
 
-/// Turns a window into an excerpt: visible characters, clipped to `WIDTH` around the column.
-fn show((location, length): (Location, u32), window: &Window) -> Excerpt {
+/// Turns a window into an excerpt: visible characters, clipped to `WIDTH` around the column. `length`: bytes that the diagnostic
+/// marks from the location on.
+fn show(location: Location, length: u32, window: &Window) -> Excerpt {
     let column = u64::from(location.column.saturating_sub(1)).saturating_sub(window.start) as usize;
     let marked_end = column + length.max(1) as usize;
     // A window may begin within a UTF-8 character.

@@ -110,7 +110,8 @@ pub(crate) fn cl_file(path: &Path) -> Option<NamedFile<'_>> {
 /// Refuses an output file that would replace an input file or another output file. Inputs are the configuration, if it
 /// is a file, the files of its solids, and `read`.
 pub(crate) fn refuse_overwriting(
-    (config_file, config): (Option<&Path>, &Config),
+    config_file: Option<&Path>,
+    config: &Config,
     read: &[NamedFile<'_>],
     written: &[NamedFile<'_>],
 ) -> Result<(), Failure> {

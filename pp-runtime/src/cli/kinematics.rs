@@ -68,7 +68,7 @@ fn write(args: &KinematicsArgs, config: &Config, text: &str, streams: &mut Strea
     let Some(path) = args.output.as_deref().filter(|path| !is_standard(path)) else {
         return print(streams, |out| out.write_all(text.as_bytes()));
     };
-    refuse_overwriting((args.config.as_deref(), config), &[], &[(path, "output")])?;
+    refuse_overwriting(args.config.as_deref(), config, &[], &[(path, "output")])?;
     write_file(path, text)?;
     Ok(Status::Done)
 }

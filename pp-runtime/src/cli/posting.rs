@@ -348,7 +348,7 @@ fn refuse_overwriting(args: &PostArgs, config: &Config) -> Result<(), Failure> {
     let written: Vec<NamedFile<'_>> = program.chain(besides).collect();
     let mut read = args.files_read();
     read.extend(cl_file(&args.input));
-    inputs::refuse_overwriting((args.set_up.config.as_deref(), config), &read, &written)
+    inputs::refuse_overwriting(args.set_up.config.as_deref(), config, &read, &written)
 }
 
 /// Path of standard output, on systems that have one.

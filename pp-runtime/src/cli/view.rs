@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use crate::check::CheckPolicy;
 use crate::kinematics::AnyMachine;
-use crate::view::{Reasons, Titles, ViewedProgram, is_document, path_and_axes, write_page, write_report};
+use crate::view::{ProgramText, Reasons, Titles, ViewedProgram, is_document, path_and_axes, write_page, write_report};
 
 use super::args::{NamedFile, ReportArgs, ReportFile, SetUpArgs, ViewArgs};
 use super::check;
@@ -126,7 +126,7 @@ fn show(
         program.map(|program| (program, "program")).into_iter().chain(cl_file(input)).collect();
     let files: Vec<NamedFile<'_>> =
         outputs.iter().filter(|output| !is_standard(output.path)).map(|output| (output.path, output.what)).collect();
-    refuse_overwriting((set_up.config.as_deref(), &config), &read, &files)?;
+    refuse_overwriting(set_up.config.as_deref(), &config, &read, &files)?;
     let mut source = open_cl_data(input, set_up, streams.input)?;
     let create = |output: &ViewFile<'_>| -> Result<Option<OutputFile>, Failure> {
         let file = (!is_standard(output.path)).then(|| OutputFile::create(output.path));
@@ -226,7 +226,8 @@ fn viewed<'p>(
         cl,
     };
     source.rewind().map_err(|error| Failure::Unreadable(name.clone(), error))?;
-    ViewedProgram::new(machine, policy, source, (&posted.text, &posted.reasons), titles, execution)
+    let program = ProgramText { text: &posted.text, reasons: &posted.reasons };
+    ViewedProgram::new(machine, policy, source, program, titles, execution)
         .map_err(|error| check::failure(error, &name, run.output))
 }
 

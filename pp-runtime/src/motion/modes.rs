@@ -169,10 +169,18 @@ pub(crate) struct ModeFinder {
     mode_ahead: Mode,
     most_planes: usize,
     operation: OperationContent,
-    /// Number of the present stretch, and its content.
-    stretch: (u64, Content),
+    /// The present stretch.
+    stretch: StretchContent,
     /// Cutter compensation is requested for the operation that comes.
     compensation_ahead: bool,
+}
+
+/// A stretch and its content.
+#[derive(Debug, Clone, Copy)]
+struct StretchContent {
+    /// Number of the stretch.
+    number: u64,
+    content: Content,
 }
 
 /// Content of the present operation.
@@ -181,7 +189,7 @@ struct OperationContent {
     /// The mode that is set for it; `None`: its content decides.
     mode: Option<StretchMode>,
     /// First stretch of each run of stretches of the same content.
-    runs: Vec<(u64, Content)>,
+    runs: Vec<StretchContent>,
     /// It has holes, arcs or cutter compensation.
     needs_plane: bool,
     /// Tool axes of the stretches in which they are held; one more than decides is enough.
@@ -189,14 +197,14 @@ struct OperationContent {
 }
 
 impl OperationContent {
-    fn add(&mut self, (stretch, content): (u64, Content)) {
-        if self.runs.last().is_none_or(|(_, last)| *last != content) {
-            self.runs.push((stretch, content));
+    fn add(&mut self, stretch: StretchContent) {
+        if self.runs.last().is_none_or(|last| last.content != stretch.content) {
+            self.runs.push(stretch);
         }
     }
 
     fn has(&self, content: Content) -> bool {
-        self.runs.iter().any(|(_, of)| *of == content)
+        self.runs.iter().any(|of| of.content == content)
     }
 
     /// Notes the tool axis of a cut.
@@ -256,7 +264,7 @@ impl ModeFinder {
             mode_ahead: policy.options.mode,
             most_planes: policy.options.auto_planes as usize,
             operation: OperationContent::default(),
-            stretch: (0, Content::Rapids),
+            stretch: StretchContent { number: 0, content: Content::Rapids },
             compensation_ahead: false,
         }
     }
@@ -304,14 +312,15 @@ impl ModeFinder {
     /// Notes the begin of a motion, which may be the first of a stretch or of an operation.
     #[inline(always)]
     fn begin(&mut self, index: MotionIndex) {
-        if index.stretch != self.stretch.0 {
+        if index.stretch != self.stretch.number {
             self.begin_stretch(index);
         }
     }
 
     fn begin_stretch(&mut self, index: MotionIndex) {
-        let ended = std::mem::replace(&mut self.stretch, (index.stretch, Content::Rapids));
-        if ended.0 > 0 {
+        let begun = StretchContent { number: index.stretch, content: Content::Rapids };
+        let ended = std::mem::replace(&mut self.stretch, begun);
+        if ended.number > 0 {
             self.operation.add(ended);
         }
         if index.begins != Begins::Nothing {
@@ -323,7 +332,7 @@ impl ModeFinder {
 
     #[inline(always)]
     fn cut(&mut self, axis: &UnitVector3<f64>, content: Content) {
-        self.stretch.1 = match (self.stretch.1, content) {
+        self.stretch.content = match (self.stretch.content, content) {
             (Content::Rotating, _) => Content::Rotating,
             (_, content) => content,
         };
@@ -340,10 +349,10 @@ impl ModeFinder {
         };
         // Rapids are of the kind of the cuts after them, or else of those before.
         let without_cuts = StretchKind { mode: modes.of(Content::Rapids), rotates: false };
-        let last = operation.runs.iter().rev().find_map(|(_, content)| kind(*content)).unwrap_or(without_cuts);
-        for (index, (first, _)) in operation.runs.iter().enumerate() {
-            let chosen = operation.runs[index..].iter().find_map(|(_, content)| kind(*content)).unwrap_or(last);
-            self.modes.add(*first, chosen);
+        let last = operation.runs.iter().rev().find_map(|of| kind(of.content)).unwrap_or(without_cuts);
+        for (index, first) in operation.runs.iter().enumerate() {
+            let chosen = operation.runs[index..].iter().find_map(|of| kind(of.content)).unwrap_or(last);
+            self.modes.add(first.number, chosen);
         }
     }
 

@@ -509,7 +509,7 @@ impl ClText<'_> {
         let modes = ModeFinder::new(policy, usable);
         let navigator = ready.map(|ready| Navigator::new(ready.to_boxed(), policy).with_modes(usable));
         // The tool axis may depend on dimensions: that of the set-up, where it is valid.
-        Survey::take(ready.unwrap_or(machine), self.events()?, policy, (modes, navigator)).map_err(PostError::Input)
+        Survey::take(ready.unwrap_or(machine), self.events()?, policy, modes, navigator).map_err(PostError::Input)
     }
 
     /// The events from the start.

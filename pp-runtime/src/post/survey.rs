@@ -125,7 +125,8 @@ impl Survey {
         machine: &dyn AnyMachine,
         mut events: ClEvents<'_>,
         policy: Policy<'_>,
-        (modes, navigator): (ModeFinder, Option<Navigator>),
+        modes: ModeFinder,
+        navigator: Option<Navigator>,
     ) -> io::Result<Self> {
         let mut source = Source::new(machine, policy);
         let surveyor = Surveyor::new(policy.options.selected.clone(), machine.tool_axis());

@@ -36,8 +36,10 @@ mod removal;
 mod testing;
 mod tools;
 
-pub(crate) use bodies::{Mesh, SolidBody, SolidFault};
-pub(crate) use design::{Design, DesignComparison, Deviations, Origin, Region, TriangleSurface, limits_of};
+pub(crate) use bodies::{SolidBody, SolidFault};
+pub(crate) use design::{
+    ComparisonLimits, Design, DesignComparison, Deviations, Origin, Region, TriangleSurface, limits_of,
+};
 pub(crate) use machine::{MachineLinks, MachineSolid, clearances, without_solids};
 pub(crate) use program::{
     ClampedStage, EPS_MM, LineRecords, MachineToolTable, Machined, Machining, PartPlaces, Recording, RemovedPart,

@@ -13,7 +13,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
 
-use super::picture::{CENTRE_LINE, Chart, LIMIT, PART, TITLE, failed, svg, view};
+use super::picture::{CENTRE_LINE, Chart, ChartPoint, LIMIT, PART, TITLE, failed, svg, view};
 
 /// Height of the drawing.
 const HEIGHT: u32 = 760;
@@ -199,13 +199,13 @@ impl DrawnCentreLine {
 }
 
 /// A dimension line.
-fn dimension(chart: &mut Chart<'_, '_>, ends: [(f64, f64); 2]) -> io::Result<()> {
+fn dimension(chart: &mut Chart<'_, '_>, ends: [ChartPoint; 2]) -> io::Result<()> {
     chart.draw_series(LineSeries::new(ends, LIMIT.stroke_width(3))).map_err(failed)?;
     chart.draw_series(ends.map(|end| Circle::new(end, 6, LIMIT.filled()))).map(drop).map_err(failed)
 }
 
 /// A text at a point, from it to the right or the left, or on both sides of it.
-fn text(chart: &mut Chart<'_, '_>, at: (f64, f64), text: &str, colour: RGBColor, side: HPos) -> io::Result<()> {
+fn text(chart: &mut Chart<'_, '_>, at: ChartPoint, text: &str, colour: RGBColor, side: HPos) -> io::Result<()> {
     let style = ("sans-serif", TITLE).into_font().color(&colour).pos(Pos::new(side, VPos::Center));
     chart.draw_series([Text::new(text.to_owned(), at, style)]).map(drop).map_err(failed)
 }

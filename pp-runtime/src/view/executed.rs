@@ -254,6 +254,14 @@ pub(crate) struct ExecutedPlace {
     pub(crate) pose: Pose,
 }
 
+/// A place at a share of a motion.
+#[derive(Debug, Clone, Copy)]
+struct PlaceAtShare {
+    /// Share of the motion up to the place, 0 to 1.
+    share: f64,
+    place: ExecutedPlace,
+}
+
 /// What is known of the course of a motion.
 struct ExecutedCourse<'m> {
     /// Angle of an arc, rad.
@@ -509,7 +517,7 @@ impl<'a> Collector<'a> {
         let continues = |last: &ExecutedPoint| (last.pose.tip - place.pose.tip).norm() < SAME_POINT_MM;
         if !self.joined || !self.executed.points.last().is_some_and(continues) {
             let waited = std::mem::take(&mut self.waited);
-            self.push(executed, PointKind::Start, place, (0.0, Some(waited)));
+            self.push(executed, PointKind::Start, place, 0.0, Some(waited));
         }
         self.joined = true;
     }
@@ -539,57 +547,60 @@ impl<'a> Collector<'a> {
         }
         self.begin_at(executed, &start);
         let tolerance_mm = if kind == PointKind::Feed { self.tolerance_mm } else { self.tolerance_mm.max(RAPID_MM) };
-        let (mut places, mut before) = (Vec::new(), (0.0, start));
+        let (mut places, mut before) = (Vec::new(), PlaceAtShare { share: 0.0, place: start });
         // The middle of whole revolutions is at their ends.
         let pieces = (rotated / FRAC_PI_3).ceil().max(1.0) as u32;
         for piece in 1..=pieces {
             let share = f64::from(piece) / f64::from(pieces);
-            let end = (share, if pieces == 1 { whole } else { at(share, &before.1.axes) });
-            self.divide(at, before, end, (tolerance_mm, MOST_HALVINGS), &mut places);
+            let place = if pieces == 1 { whole } else { at(share, &before.place.axes) };
+            let end = PlaceAtShare { share, place };
+            self.divide(at, [before, end], tolerance_mm, MOST_HALVINGS, &mut places);
             before = end;
         }
         let moves = |(from, to): (&f64, &f64)| (from - to).abs() > 0.0;
-        if kind == PointKind::Rapid && !start.axes.iter().zip(&before.1.axes).any(moves) {
+        if kind == PointKind::Rapid && !start.axes.iter().zip(&before.place.axes).any(moves) {
             return;
         }
-        let tips = std::iter::once(&start).chain(places.iter().map(|(_, place)| place)).map(|place| place.pose.tip);
+        let tips = std::iter::once(&start).chain(places.iter().map(|end| &end.place)).map(|place| place.pose.tip);
         let lengths_mm = tips.clone().zip(tips.skip(1)).map(|(from, to)| (to - from).norm());
         let length_mm: f64 = lengths_mm.sum();
         let minutes = match kind {
             PointKind::Feed => minutes(length_mm),
-            PointKind::Start | PointKind::Rapid | PointKind::Dwell => self.rapid_minutes(&start.axes, &before.1.axes),
+            PointKind::Start | PointKind::Rapid | PointKind::Dwell => {
+                self.rapid_minutes(&start.axes, &before.place.axes)
+            }
         };
         let feed = match (kind, minutes) {
             (PointKind::Feed, Some(minutes)) if minutes > 0.0 => length_mm / minutes,
             _ => 0.0,
         };
         let mut share_before = 0.0;
-        for (share, place) in &places {
+        for PlaceAtShare { share, place } in &places {
             let seconds = minutes.map(|minutes| 60.0 * minutes * (share - share_before));
-            self.push(executed, kind, place, (feed, seconds));
+            self.push(executed, kind, place, feed, seconds);
             share_before = *share;
         }
-        self.arrive(&before.1.axes, !0);
+        self.arrive(&before.place.axes, !0);
     }
 
     /// Divides a motion until it is straight within the tolerance, and adds the ends of the pieces.
     fn divide(
         &self,
         at: MotionAtShares<'_>,
-        from: (f64, ExecutedPlace),
-        to: (f64, ExecutedPlace),
-        (tolerance_mm, halvings): (f64, u32),
-        places: &mut Vec<(f64, ExecutedPlace)>,
+        [from, to]: [PlaceAtShare; 2],
+        tolerance_mm: f64,
+        halvings: u32,
+        places: &mut Vec<PlaceAtShare>,
     ) {
-        let share = f64::midpoint(from.0, to.0);
-        let middle = at(share, &from.1.axes);
-        let axes: AxisValues = std::array::from_fn(|index| f64::midpoint(from.1.axes[index], to.1.axes[index]));
-        let chord = nalgebra::center(&from.1.pose.tip, &to.1.pose.tip);
+        let share = f64::midpoint(from.share, to.share);
+        let middle = PlaceAtShare { share, place: at(share, &from.place.axes) };
+        let axes: AxisValues = std::array::from_fn(|index| f64::midpoint(from.place.axes[index], to.place.axes[index]));
+        let chord = nalgebra::center(&from.place.pose.tip, &to.place.pose.tip);
         let drawn = self.placed().machine.forward_kinematics(&axes).tip;
-        let bends = [chord, drawn].iter().any(|tip| (tip - middle.pose.tip).norm() > tolerance_mm);
+        let bends = [chord, drawn].iter().any(|tip| (tip - middle.place.pose.tip).norm() > tolerance_mm);
         if bends && halvings > 0 {
-            self.divide(at, from, (share, middle), (tolerance_mm, halvings - 1), places);
-            self.divide(at, (share, middle), to, (tolerance_mm, halvings - 1), places);
+            self.divide(at, [from, middle], tolerance_mm, halvings - 1, places);
+            self.divide(at, [middle, to], tolerance_mm, halvings - 1, places);
         } else {
             places.push(to);
         }
@@ -608,15 +619,17 @@ impl<'a> Collector<'a> {
             return;
         };
         let place = ExecutedPlace { axes: last.axes, pose: last.pose };
-        self.push(executed, PointKind::Dwell, &place, (0.0, Some(seconds)));
+        self.push(executed, PointKind::Dwell, &place, 0.0, Some(seconds));
     }
 
+    /// Adds a point. `feed`: mm/min, 0 where there is none; `seconds`: time up to it, `None` if unknown.
     fn push(
         &mut self,
         executed: &ExecutedBlock<'_>,
         kind: PointKind,
         place: &ExecutedPlace,
-        (feed, seconds): (f64, Option<f64>),
+        feed: f64,
+        seconds: Option<f64>,
     ) {
         #[cfg(feature = "simulate")]
         if self.motions.is_some() {

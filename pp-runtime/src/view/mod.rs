@@ -98,6 +98,13 @@ impl Execution {
     }
 }
 
+/// Text of a program, and the reasons of its lines.
+#[derive(Clone, Copy)]
+pub(crate) struct ProgramText<'a> {
+    pub(crate) text: &'a [u8],
+    pub(crate) reasons: &'a Reasons,
+}
+
 /// An executed program with all that is shown of it.
 pub(crate) struct ViewedProgram<'a> {
     titles: Titles,
@@ -124,7 +131,7 @@ impl<'a> ViewedProgram<'a> {
         machine: &dyn AnyMachine,
         policy: &'a CheckPolicy,
         cl: &mut dyn Read,
-        (text, reasons): (&'a [u8], &'a Reasons),
+        ProgramText { text, reasons }: ProgramText<'a>,
         titles: Titles,
         execution: Option<Execution>,
     ) -> Result<Self, CheckError> {

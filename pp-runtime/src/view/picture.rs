@@ -50,6 +50,9 @@ pub(super) const PART: RGBColor = RGBColor(0x60, 0x60, 0x60);
 /// Drawing area of an SVG.
 type Area<'a> = DrawingArea<SVGBackend<'a>, plotters::coord::Shift>;
 
+/// A point of a chart: its coordinates to the right and up.
+pub(super) type ChartPoint = (f64, f64);
+
 /// Chart with numbers along both axes.
 pub(super) type Chart<'a, 'b> = ChartContext<'b, SVGBackend<'a>, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
@@ -204,9 +207,9 @@ fn clipped(line: &[(f64, f64)], [across, up]: &[Range<f64>; 2]) -> Vec<Vec<(f64,
 }
 
 /// Points that are at least this far from the one kept before; the last is kept.
-fn spaced(points: &[(f64, f64)], distance: f64) -> Vec<(f64, f64)> {
-    let mut kept: Vec<(f64, f64)> = Vec::new();
-    let near = |a: &(f64, f64), b: &(f64, f64)| (a.0 - b.0).powi(2) + (a.1 - b.1).powi(2) < distance * distance;
+fn spaced(points: &[ChartPoint], distance: f64) -> Vec<ChartPoint> {
+    let mut kept: Vec<ChartPoint> = Vec::new();
+    let near = |a: &ChartPoint, b: &ChartPoint| (a.0 - b.0).powi(2) + (a.1 - b.1).powi(2) < distance * distance;
     for (index, point) in points.iter().enumerate() {
         if index + 1 == points.len() || !kept.last().is_some_and(|last| near(last, point)) {
             kept.push(*point);
@@ -216,7 +219,7 @@ fn spaced(points: &[(f64, f64)], distance: f64) -> Vec<(f64, f64)> {
 }
 
 /// The line without the points that are nearer to it than a distance (Douglas and Peucker).
-fn straightened(points: &[(f64, f64)], distance: f64) -> Vec<(f64, f64)> {
+fn straightened(points: &[ChartPoint], distance: f64) -> Vec<ChartPoint> {
     let Some(last) = points.len().checked_sub(1) else { return Vec::new() };
     let mut kept = vec![false; points.len()];
     (kept[0], kept[last]) = (true, true);
@@ -233,7 +236,7 @@ fn straightened(points: &[(f64, f64)], distance: f64) -> Vec<(f64, f64)> {
 }
 
 /// Square of the distance of a point from a line between two points.
-fn off_line(point: (f64, f64), from: (f64, f64), to: (f64, f64)) -> f64 {
+fn off_line(point: ChartPoint, from: ChartPoint, to: ChartPoint) -> f64 {
     let (x, y) = (to.0 - from.0, to.1 - from.1);
     let (a, b) = (point.0 - from.0, point.1 - from.1);
     let square = x * x + y * y;
@@ -433,7 +436,7 @@ fn draw_table(
     Ok(())
 }
 
-fn label(chart: &mut Chart<'_, '_>, at: (f64, f64), text: &str, colour: RGBColor) -> io::Result<()> {
+fn label(chart: &mut Chart<'_, '_>, at: ChartPoint, text: &str, colour: RGBColor) -> io::Result<()> {
     let style = ("sans-serif", TITLE).into_font().color(&colour);
     chart.draw_series([Text::new(text.to_owned(), at, style)]).map(drop).map_err(failed)
 }

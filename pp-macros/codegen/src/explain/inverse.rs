@@ -12,7 +12,7 @@ use super::steps::steps;
 use crate::formula::{ClosedForm, Formula, angle_of_one, common_number};
 use crate::model::{AxisId, Model};
 use crate::solve::{AngleRelation, Orientation, Solved, TwoRotaries};
-use crate::symbolic::{Id, Interpreter, Operations, Surd};
+use crate::symbolic::{Id, Interpreter, Operations, SineCosine, Surd};
 
 /// The inverse kinematics in formulas; `None` for what is too long for a line.
 pub(crate) struct InverseFormulas {
@@ -72,13 +72,12 @@ fn of_two(model: &Model, solved: &Solved, two: &TwoRotaries, closed: Option<Clos
 }
 
 /// Angles in the order of evaluation, as the code computes them.
-fn in_steps(model: &Model, solved: &Solved, words: &[(AxisId, (Id, Id))], section: &mut Section) {
-    let outputs: Vec<Id> = words.iter().flat_map(|(_, (sine, cosine))| [*sine, *cosine]).collect();
+fn in_steps(model: &Model, solved: &Solved, words: &[(AxisId, SineCosine)], section: &mut Section) {
+    let outputs: Vec<Id> = words.iter().flat_map(|(_, word)| word.nodes()).collect();
     let known = steps(model, &solved.graph, &outputs, section);
     let formula = |node: Id| Formula::of_node(model, &solved.graph, node, &known);
-    let angles = words.iter().map(|(axis, (sine, cosine))| {
-        (letter(model, *axis), Formula::call("atan2", [formula(*sine), formula(*cosine)]))
-    });
+    let angles =
+        words.iter().map(|(axis, word)| (letter(model, *axis), Formula::call("atan2", word.nodes().map(formula))));
     section.equations(&angles.collect::<Vec<_>>());
 }
 
@@ -144,12 +143,14 @@ pub(crate) fn operations(solved: &Solved) -> Section {
     let position = Operations::of(graph, &values);
     let (count, atan2) = match &solved.orientation {
         Orientation::Fixed { deviation } => (Operations::of(graph, &[*deviation]).and(position), 0),
-        Orientation::One(one) => (Operations::of(graph, &[one.word.0, one.word.1, one.deviation]).and(position), 1),
+        Orientation::One(one) => {
+            (Operations::of(graph, &[one.word.sine, one.word.cosine, one.deviation]).and(position), 1)
+        }
         Orientation::Two(two) => {
             let nodes: Vec<Id> = two
                 .branches
                 .iter()
-                .flat_map(|answer| answer.words.iter().flat_map(|(sine, cosine)| [*sine, *cosine]))
+                .flat_map(|answer| answer.words.iter().flat_map(|word| word.nodes()))
                 .chain([two.second.root])
                 .collect();
             let own = two

@@ -77,7 +77,7 @@ fn cone(model: &Model, solved: &Solved, section: &mut Section) {
         Orientation::Two(two) => (two.rotaries[0], &two.tilt),
     };
     let letter = model.axes[rotary].letter;
-    let (Some(between), Some(tool)) = (value(tilt.between.1), value(tilt.tool.1)) else {
+    let (Some(between), Some(tool)) = (value(tilt.between.cosine), value(tilt.tool.cosine)) else {
         section.words(&format!("angles to the axis of {letter} in a range that depends on dimensions or held axes"));
         return;
     };

@@ -44,7 +44,7 @@ fn of_two(model: &Model, solved: &Solved, two: &TwoRotaries) -> Vec<String> {
     let values = defaults(model);
     let value = |node: Id| solved.graph.evaluate(node, &|symbol| values.get(&symbol).copied());
     let [a1, a2] = two.second.alpha.map(value);
-    let mean = value(two.tilt.between.1) * value(two.tilt.tool.1);
+    let mean = value(two.tilt.between.cosine) * value(two.tilt.tool.cosine);
     let (phase, amplitude) = (a2.atan2(a1).to_degrees(), a1.hypot(a2));
     let [first, second] = two.rotaries.map(|id| &model.axes[id]);
     let mut lines = Vec::new();

@@ -9,7 +9,7 @@ use super::expression::Formula;
 use super::factor::common_number;
 use crate::model::{AxisId, Model};
 use crate::solve::{OneRotary, Orientation, Solved, TwoRotaries};
-use crate::symbolic::{Graph, Id, Interpreter, Node, Poly, Surd, Symbol};
+use crate::symbolic::{Graph, Id, Interpreter, Node, Poly, SineCosine, Surd, Symbol};
 
 /// Polynomials with more terms than this are shown step by step, as they are computed.
 const LONGEST: usize = 60;
@@ -39,7 +39,7 @@ impl ClosedForm {
             &capacity - &square
         };
         let mut root = None;
-        let mut angle = |word: (Id, Id), common: Id| {
+        let mut angle = |word: SineCosine, common: Id| {
             let word = without_factor(&graph, word, common);
             let mut reader = Interpreter::new(&mut graph, BTreeMap::new());
             let symbol = reader.assume_square(two.second.root, square.clone());
@@ -116,7 +116,7 @@ pub(crate) fn is_readable(graph: &Graph, poly: &Poly) -> bool {
 type Signed = (bool, Id);
 
 /// Sine and cosine without their common factor or divisor.
-fn without_factor(graph: &Graph, (sine, cosine): (Id, Id), common: Id) -> [Signed; 2] {
+fn without_factor(graph: &Graph, SineCosine { sine, cosine }: SineCosine, common: Id) -> [Signed; 2] {
     let without = |id: Id| {
         let (minus, inner) = match *graph.node(id) {
             Node::Neg(inner) => (true, inner),

@@ -125,7 +125,7 @@ fn prove_one(model: &Model, graph: &mut Graph, product: &Matrix, one: &OneRotary
     }
     let (sine, cosine) = model.axes[one.rotary].sin_cos;
     let claim = format!("the inverse returns {letter} from the tool axis that {letter} produces");
-    for (node, symbol) in [(one.word.0, sine), (one.word.1, cosine)] {
+    for (node, symbol) in [(one.word.sine, sine), (one.word.cosine, cosine)] {
         let value = reader.value(node);
         holds(&reader, &value, &Poly::from(symbol), &claim)?;
     }

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::claim::holds;
 use super::unit_vectors::GeneralDirections;
 use crate::model::{AxisId, Model};
-use crate::solve::{Branch, TwoRotaries};
-use crate::symbolic::{Graph, Id, Interpreter, Poly, PolyVector, Ring, Symbol};
+use crate::solve::{Branch, Solved, TwoRotaries};
+use crate::symbolic::{Interpreter, Poly, PolyVector, Ring, SineCosine, Symbol};
 
 /// Proves both branches, and the axis that is taken at the rim; returns the claims in words.
 ///
@@ -91,19 +91,19 @@ fn prove_edge(general: &GeneralDirections, graph: &mut Graph, two: &TwoRotaries)
     let wanted = model.symbols.axis.map(Poly::from);
     let (n_b, n_a) = (cross(&direction, &reached, &ring), cross(&direction, &wanted, &ring));
     let room = {
-        let (p, one) = (reader.value(two.tilt.between.1), Poly::one());
+        let (p, one) = (reader.value(two.tilt.between.cosine), Poly::one());
         &one - &ring.mul(&p, &p)
     };
     let signed_sine = ring.mul(&room, &ring.dot(&n_b, &wanted));
     let signed_sine = if model.axes[first].reversed { -&signed_sine } else { signed_sine };
     let claim = "a tool axis up to 1e-6 rad beyond the reachable ones is replaced by the nearest reachable one";
-    let squares = [edge.first.0, edge.first.1].map(|node| reader.value(node)).map(|part| ring.mul(&part, &part));
+    let squares = edge.first.nodes().map(|node| reader.value(node)).map(|part| ring.mul(&part, &part));
     let pairs = [
         (edge.first_squared, &squares[0] + &squares[1]),
         (edge.along.1, ring.dot(&direction, &reached)),
         (edge.reached_squared, ring.dot(&n_b, &n_b)),
-        (edge.first.0, signed_sine),
-        (edge.first.1, ring.mul(&room, &ring.dot(&n_b, &n_a))),
+        (edge.first.sine, signed_sine),
+        (edge.first.cosine, ring.mul(&room, &ring.dot(&n_b, &n_a))),
     ];
     for (node, expected) in pairs {
         let value = reader.value(node);
@@ -116,13 +116,13 @@ fn sin_cos_values(
     model: &Model,
     reader: &mut Interpreter<'_>,
     axes: &[AxisId],
-    words: &[(Id, Id)],
+    words: &[SineCosine],
 ) -> BTreeMap<Symbol, Poly> {
     let mut values = BTreeMap::new();
-    for (axis, (sine, cosine)) in axes.iter().zip(words) {
+    for (axis, word) in axes.iter().zip(words) {
         let symbols = model.axes[*axis].sin_cos;
-        values.insert(symbols.0, reader.value(*sine));
-        values.insert(symbols.1, reader.value(*cosine));
+        values.insert(symbols.0, reader.value(word.sine));
+        values.insert(symbols.1, reader.value(word.cosine));
     }
     values
 }

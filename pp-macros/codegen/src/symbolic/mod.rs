@@ -57,5 +57,4 @@ pub use poly::{Poly, Symbol};
 pub use ring::Ring;
 pub use sign::{Sign, hidden_zeros_of, sign_of, zeros_of};
 pub use surd::{Surd, exact_sin_cos};
-pub(crate) use term::nodes;
-pub use term::{GraphBuilder, Term, TermVector};
+pub use term::{GraphBuilder, SineCosine, Term, TermVector};

@@ -302,9 +302,25 @@ impl<'g> TermVector<'g> {
     }
 }
 
-/// The nodes of a pair, sine and cosine.
-pub(crate) fn nodes((sine, cosine): (Term<'_>, Term<'_>)) -> (Id, Id) {
-    (sine.id(), cosine.id())
+/// Sine and cosine of an angle, or both times a common factor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SineCosine {
+    /// The sine.
+    pub sine: Id,
+    /// The cosine.
+    pub cosine: Id,
+}
+
+impl SineCosine {
+    pub(crate) fn of(sine: Term<'_>, cosine: Term<'_>) -> Self {
+        Self { sine: sine.id(), cosine: cosine.id() }
+    }
+
+    /// Both nodes, the sine first.
+    #[must_use]
+    pub fn nodes(self) -> [Id; 2] {
+        [self.sine, self.cosine]
+    }
 }
 
 impl Add for TermVector<'_> {

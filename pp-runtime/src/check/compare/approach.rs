@@ -192,7 +192,7 @@ impl Comparison<'_> {
             false if step.across || step.number == 3 => FrameUse::AsMeant,
             false => FrameUse::Without,
         };
-        let fault = self.rules.fault_at_approach(current.block, &required, (frame, step.number == 3), context);
+        let fault = self.rules.fault_at_approach(current.block, &required, frame, step.number == 3, context);
         self.found_state(current, fault);
     }
 
@@ -430,7 +430,7 @@ impl Comparison<'_> {
         let at = |(along, above): &&(f64, ToolPose)| {
             let near = |height: f64| (along - height).abs() <= 4.0 * tip_mm;
             let far = led_out.map_or(*along >= -tip_mm, |led_out| near(led_out) || near(approach_mm));
-            far && retract::is_at_distance(&self.rules, end, (above, 1.0 + BOTH), *along)
+            far && retract::is_at_distance(&self.rules, end, above, 1.0 + BOTH, *along)
         };
         over.iter().find(at).map(|(_, above)| *above)
     }

@@ -69,7 +69,7 @@ impl Comparison<'_> {
             }
         }
         for (index, fault) in faults.into_iter().enumerate() {
-            let text = fault.map(|(no_fit, radius)| self.no_fit_text(no_fit, (radius, index), begins));
+            let text = fault.map(|(no_fit, radius)| self.no_fit_text(no_fit, radius, index, begins));
             self.found_any(current, text);
         }
         self.contour.last_line = line_number;
@@ -145,10 +145,12 @@ impl Comparison<'_> {
         (round.is_some() || from != to).then_some(ContourSide { from, to, round })
     }
 
-    fn no_fit_text(&self, no_fit: NoFit, (radius, index): (f64, usize), begins: bool) -> String {
+    /// Why the tool does not fit. `radius_mm`: its radius, or its wear; `tool`: its index in [`ContourState`]; `begins`: the
+    /// compensation begins with this motion.
+    fn no_fit_text(&self, no_fit: NoFit, radius_mm: f64, tool: usize, begins: bool) -> String {
         let units = self.rules.units();
-        let radius = units.length(radius);
-        let tool = match (self.rules.policy().shop.compensated_centre, index) {
+        let radius = units.length(radius_mm);
+        let tool = match (self.rules.policy().shop.compensated_centre, tool) {
             (false, _) => format!("the tool radius of {radius}"),
             (true, 0) => format!("a wear of {radius}"),
             (true, _) => format!("a wear of -{radius}"),

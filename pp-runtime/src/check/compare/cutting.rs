@@ -18,6 +18,7 @@ use super::hole::lean_of_words;
 use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::{Cutting, FinishedMotion, Leaving, Phase, RapidStart, RapidSteps, RetractedLength, RewindPoint};
 use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
+use super::retract::RetractStart;
 use super::{Comparison, Current, Previous, retract};
 use crate::check::tolerances::{BOTH, COMES_BACK};
 use crate::kinematics::math::smaller;
@@ -184,16 +185,15 @@ impl Comparison<'_> {
             // A block that continues from the end of a motion belongs to a later one, and so does one with another feed
             // or state.
             let has_state = || self.rules.fault_in_cut(block, &part.required, self.modal_context()).is_none();
-            let belongs = || {
-                self.rules.is_at(end, &part.segment.to) && self.has_feed_of(here, (block, end), &part) && has_state()
-            };
+            let belongs =
+                || self.rules.is_at(end, &part.segment.to) && self.has_feed_of(here, block, end, &part) && has_state();
             if needless && (other || !belongs()) {
                 self.progress.pass();
                 continue;
             }
             let (arrival, words) = (self.progress.arrival(here, chords), &self.previous.words);
             let share = self.rules.share_done(&part.segment, rapid, block, (words, end), &arrival);
-            let over_hole = hole.as_ref().and_then(|hole| self.share_over_hole(&part, hole, (block, end)));
+            let over_hole = hole.as_ref().and_then(|hole| self.share_over_hole(&part, hole, block, end));
             if let Some(share) = over_hole.filter(|share| *share >= 1.0).or(share).or(over_hole) {
                 part.share = share;
                 self.travelled(cutting, current, end, &part);
@@ -211,7 +211,7 @@ impl Comparison<'_> {
 
     /// Whether a block has the feed of a motion. `here`, `end`: poses before and after it. Asked of few blocks.
     #[inline(never)]
-    fn has_feed_of(&self, here: Option<&ToolPose>, (block, end): (&Block, &ToolPose), part: &MotionPart) -> bool {
+    fn has_feed_of(&self, here: Option<&ToolPose>, block: &Block, end: &ToolPose, part: &MotionPart) -> bool {
         let (rules, words, segment) = (&self.rules, &self.previous.words, &part.segment);
         let length = segment.length();
         // What is left of a motion that is done but for a rotation.
@@ -231,16 +231,10 @@ impl Comparison<'_> {
         !block.action.is_feed() || fault().is_none()
     }
 
-    /// Share of a rapid to a hole or on its axis that a block has done: it may stop on its way down, because a cycle of
-    /// the control returns to where it began. Words across the tool are those of the clearance level at every height;
-    /// from there words along it follow the axis that the machine has. Its tolerance holds for what both lead off each
-    /// other.
-    fn share_over_hole(
-        &self,
-        part: &MotionPart,
-        hole: &ExpectedHole,
-        (block, end): (&Block, &ToolPose),
-    ) -> Option<f64> {
+    /// Share of a rapid to a hole or on its axis that a block has done: it may stop on its way down, because a cycle of the control
+    /// returns to where it began. Words across the tool are those of the clearance level at every height; from there words along
+    /// it follow the axis that the machine has. Its tolerance holds for what both lead off each other.
+    fn share_over_hole(&self, part: &MotionPart, hole: &ExpectedHole, block: &Block, end: &ToolPose) -> Option<f64> {
         let (segment, rounding) = (&part.segment, self.rules.rounding());
         let largest = BOTH * rounding.tip_mm;
         let along = |step: Vector3<f64>| step.dot(&end.axis);
@@ -312,7 +306,7 @@ impl Comparison<'_> {
         }
         self.duties.happens(DutyEvent::Motion);
         self.progress.set_lost(false);
-        self.finish_part(cutting, end, part, (at_feed, link));
+        self.finish_part(cutting, end, part, at_feed, link);
     }
 
     /// Largest deviations at the end of a block. No other angle than the largest so far is reported. Points of an even
@@ -344,7 +338,7 @@ impl Comparison<'_> {
     }
 
     /// A part of a motion is done, at feed or not, as a link or not.
-    fn finish_part(&mut self, cutting: &mut Cutting, end: &ToolPose, part: &MotionPart, (at_feed, link): (bool, bool)) {
+    fn finish_part(&mut self, cutting: &mut Cutting, end: &ToolPose, part: &MotionPart, at_feed: bool, link: bool) {
         let required = Rc::clone(&part.required);
         if part.share >= 1.0 {
             self.progress.pass();
@@ -352,7 +346,7 @@ impl Comparison<'_> {
             cutting.finished = Some(FinishedMotion { segment, required, feed, at_feed, link, rotated_rad: 0.0 });
             return;
         }
-        self.progress.advance((part.at, required), part.share);
+        self.progress.advance(part.at, required, part.share);
         cutting.finished = None;
         if part.rapid && part.share <= 0.0 {
             // The corner of a rapid in two blocks.
@@ -808,7 +802,8 @@ impl Comparison<'_> {
         let rested = cutting.has_rested();
         let from = if rested { ToolPose { tip: here.tip, ..from } } else { from };
         let between = rested || self.progress.along() > 0.0;
-        retract::rest(&self.rules, self.clearance(), (&from, between), here, end, cutting.retract.out_mm())
+        let from = RetractStart { pose: &from, between };
+        retract::rest(&self.rules, self.clearance(), from, here, end, cutting.retract.out_mm())
     }
 
     /// The retract along the tool axis before the machine retract; `None` if the block is something else.

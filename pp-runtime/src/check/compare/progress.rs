@@ -206,10 +206,10 @@ impl<'a> ClProgress<'a> {
         self.expect.pop();
     }
 
-    /// A block has carried out the next motion up to a share.
-    pub(super) fn advance(&mut self, item: (Location, Rc<Required>), share: f64) {
+    /// A block has carried out the next motion up to a share. `at`, `required`: its record and state.
+    pub(super) fn advance(&mut self, at: Location, required: Rc<Required>, share: f64) {
         self.along = share;
-        self.last = Some(item);
+        self.last = Some((at, required));
     }
 
     /// Part of a rapid is done: its rest begins where the tool is.

@@ -20,12 +20,19 @@ pub(super) fn is_out(rules: &Rules<'_>, clearance: Option<&Clearance>, here: &To
     }
 }
 
-/// Rest of the retract and the pose after it, if that is where a block ends. `from`: the tool on the path of the CL
-/// data, and whether that is between the ends of a motion.
+/// Start of a retract: the tool on the path of the CL data.
+#[derive(Clone, Copy)]
+pub(super) struct RetractStart<'p> {
+    pub(super) pose: &'p ToolPose,
+    /// It is between the ends of a motion.
+    pub(super) between: bool,
+}
+
+/// Rest of the retract and the pose after it, if that is where a block ends.
 pub(super) fn rest(
     rules: &Rules<'_>,
     clearance: Option<&Clearance>,
-    (from, between): (&ToolPose, bool),
+    RetractStart { pose: from, between }: RetractStart<'_>,
     here: &ToolPose,
     end: &ToolPose,
     done_mm: f64,
@@ -41,16 +48,17 @@ pub(super) fn rest(
         let out = ToolPose { tip: from.tip + axis * rest, axis };
         // Rounded words show a place between the ends with their own error.
         let roundings = if between { 1.0 + BOTH } else { BOTH };
-        is_at_distance(rules, end, (&out, roundings), rest).then_some((rest, out))
+        is_at_distance(rules, end, &out, roundings, rest).then_some((rest, out))
     })
 }
 
-/// Whether a pose is at a distance along a tool axis that is known to its rounding; `out` to so many roundings of a
-/// tip.
+/// Whether a pose is at a distance along a tool axis that is known to its rounding. `roundings`: those of a tip to which `out` is
+/// known.
 pub(super) fn is_at_distance(
     rules: &Rules<'_>,
     end: &ToolPose,
-    (out, roundings): (&ToolPose, f64),
+    out: &ToolPose,
+    roundings: f64,
     distance_mm: f64,
 ) -> bool {
     let rounding = rules.rounding();

@@ -18,20 +18,20 @@ pub(super) struct RulesInForce {
 /// The rules for an operation; a property of which two rules of the same kind differ.
 pub(super) fn in_force(rules: &[OperationRule], number: u64, name: &str) -> Result<RulesInForce, &'static str> {
     Ok(RulesInForce {
-        linear: one(rules, (number, name), |rule| rule.linear).ok_or("mode")?,
-        smoothing: one(rules, (number, name), |rule| rule.smoothing).ok_or("smoothing")?,
-        blending_mm: one(rules, (number, name), |rule| rule.blending_mm).ok_or("path_tolerance")?,
-        path_mm: one(rules, (number, name), |rule| rule.path_mm).ok_or("tolerance")?,
-        largest_feed_mm_per_min: one(rules, (number, name), |rule| rule.largest_feed_mm_per_min)
-            .ok_or("largest_feed")?,
-        allowance_mm: one(rules, (number, name), |rule| rule.allowance_mm).ok_or("allowance")?,
+        linear: one(rules, number, name, |rule| rule.linear).ok_or("mode")?,
+        smoothing: one(rules, number, name, |rule| rule.smoothing).ok_or("smoothing")?,
+        blending_mm: one(rules, number, name, |rule| rule.blending_mm).ok_or("path_tolerance")?,
+        path_mm: one(rules, number, name, |rule| rule.path_mm).ok_or("tolerance")?,
+        largest_feed_mm_per_min: one(rules, number, name, |rule| rule.largest_feed_mm_per_min).ok_or("largest_feed")?,
+        allowance_mm: one(rules, number, name, |rule| rule.allowance_mm).ok_or("allowance")?,
     })
 }
 
-/// A property by the most exact kind of rule that has it; `None` where rules of that kind differ.
+/// A property of an operation by the most exact kind of rule that has it; `None` where rules of that kind differ.
 fn one<T: PartialEq>(
     rules: &[OperationRule],
-    (number, name): (u64, &str),
+    number: u64,
+    name: &str,
     property: impl Fn(&OperationRule) -> Option<T>,
 ) -> Option<Option<T>> {
     let by_number = |of: &RuledOperation| matches!(of, RuledOperation::Number(wanted) if *wanted == number);

@@ -17,6 +17,8 @@
 //! | R, Q, P, I, J | a canned cycle | reference level, step, dwell, shift off the wall of a bore |
 //! | R, P | G2, G3 | radius of an arc, revolutions of a helix on LinuxCNC |
 
+use std::ops::Range;
+
 use super::block::{OwnPlace, PathMode, PathSmoothing, WorkOffset, coolant, settled};
 use super::facts::LineForm;
 use super::language::{Address, CodeRow, Means, PathCode, Plane, Smoother, group, has_letter};
@@ -176,11 +178,11 @@ impl Line<'_> {
             Means::Stop { optional } => self.orders.act(Act::Stop { optional }),
             Means::End => self.orders.act(Act::End),
             Means::Spindle(rotation) => {
-                self.is_spindle_of_tool(rotation, (column, end));
+                self.is_spindle_of_tool(rotation, column..end);
                 self.orders.function(ModeOrder::Spindle(rotation), order);
             }
             Means::SpindleAndFlood(rotation) => {
-                let kinds = self.kinds_of(coolant::FLOOD, true, number, (column, end));
+                let kinds = self.kinds_of(coolant::FLOOD, true, number, column..end);
                 self.orders.function(ModeOrder::Spindle(Some(rotation)), order);
                 self.orders.function(ModeOrder::CoolantOn(kinds), order);
             }
@@ -189,11 +191,11 @@ impl Line<'_> {
                 self.orders.act(Act::ToolChange);
             }
             Means::CoolantOn(kinds) => {
-                let kinds = self.kinds_of(kinds, true, number, (column, end));
+                let kinds = self.kinds_of(kinds, true, number, column..end);
                 self.orders.function(ModeOrder::CoolantOn(kinds), order);
             }
             Means::CoolantOff(kinds) => {
-                let kinds = self.kinds_of(kinds, false, number, (column, end));
+                let kinds = self.kinds_of(kinds, false, number, column..end);
                 self.orders.function(ModeOrder::CoolantOff(kinds), order);
             }
             Means::Rigid => self.orders.mode(ModeOrder::Rigid),
@@ -226,21 +228,22 @@ impl Line<'_> {
         }
     }
 
-    /// A code of the control's own spindle is a fault where another one has the tool.
-    fn is_spindle_of_tool(&mut self, rotation: Option<Rotation>, (column, end): (usize, usize)) {
+    /// A code of the control's own spindle is a fault where another one has the tool. `columns`: those of the code.
+    fn is_spindle_of_tool(&mut self, rotation: Option<Rotation>, columns: Range<usize>) {
         let is_same = |own: &&OwnText| own.place == OwnPlace::Spindle { rotation };
         if let Some(own) = self.vocabulary().switches().find(is_same) {
-            let (code, own) = (shown(self.at.between(column, end)), shown(&own.text));
+            let (code, own) = (shown(self.at.between(columns.start, columns.end)), shown(&own.text));
             self.fault(
-                column,
+                columns.start,
                 format!("`{code}` switches another spindle than that of the tool, whose code is `{own}` (`control.mill_turn`)"),
             );
         }
     }
 
-    /// The kinds of coolant that a code of the control switches on this machine: not those that have another code in
-    /// the configuration, or on a control of one's own. A code that has none is a fault.
-    fn kinds_of(&mut self, kinds: u8, on: bool, code: u32, (column, end): (usize, usize)) -> u8 {
+    /// The kinds of coolant that a code of the control switches on this machine: not those that have another code in the
+    /// configuration, or on a control of one's own. A code that has none is a fault. `columns`: those of the
+    /// code.
+    fn kinds_of(&mut self, kinds: u8, on: bool, code: u32, columns: Range<usize>) -> u8 {
         let own = self.vocabulary().switches().filter(|own| own.place == OwnPlace::Coolant);
         let (mut left, mut instead) = (kinds, None);
         for bit in (0..u8::BITS).map(|index| 1_u8 << index).filter(|bit| kinds & bit != 0) {
@@ -253,9 +256,9 @@ impl Line<'_> {
             }
         }
         if let Some(own) = instead.filter(|_| left == 0) {
-            let text = shown(self.at.between(column, end));
+            let text = shown(self.at.between(columns.start, columns.end));
             self.fault(
-                column,
+                columns.start,
                 format!("`{text}` is no coolant code of this machine: its code is `{}`", shown(&own.text)),
             );
         }

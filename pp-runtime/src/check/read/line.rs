@@ -3,11 +3,11 @@
 use super::Vocabulary;
 use super::block::BlockFault;
 use super::facts::{Facts, LineForm};
-use super::language::{Address, Language};
+use super::language::Language;
 use super::machine::Interpreter;
 use super::orders::{Orders, fault};
 use super::text::{Cursor, Number, shown, tenths, whole};
-use super::words::{Coded, Counts, OpenWords, Word};
+use super::words::{Coded, OpenWords, Word};
 use crate::program::Units;
 
 /// A line on its way into orders.
@@ -26,15 +26,23 @@ pub(super) struct Line<'a> {
     faults: &'a mut Vec<BlockFault>,
 }
 
+/// What a line is read into.
+#[derive(Debug)]
+pub(super) struct LineResult<'a> {
+    pub(super) words: &'a mut OpenWords,
+    pub(super) orders: &'a mut Orders,
+    pub(super) faults: &'a mut Vec<BlockFault>,
+}
+
 impl<'a> Line<'a> {
     /// A line before its first byte.
     pub(super) fn new(
         text: &'a [u8],
         vocabulary: &'a Vocabulary,
         machine: &'a Interpreter,
-        (words, orders): (&'a mut OpenWords, &'a mut Orders),
-        faults: &'a mut Vec<BlockFault>,
+        into: LineResult<'a>,
     ) -> Self {
+        let LineResult { words, orders, faults } = into;
         let language = vocabulary.family.language();
         Self { vocabulary, language, facts: machine.facts(), machine, at: Cursor::new(text), words, orders, faults }
     }
@@ -107,19 +115,13 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// Adds a word that has been read from a column on. It is a fault if the line has it already.
-    pub(super) fn word(
-        &mut self,
-        name: &[u8],
-        (address, index): (Address, usize),
-        (number, counts): (Number, Counts),
-        column: usize,
-    ) {
+    /// Adds a word that has been read. It is a fault if the line has it already.
+    pub(super) fn word(&mut self, name: &[u8], word: Word) {
         let letter = if let [letter] = name { Some(letter.to_ascii_uppercase()) } else { None };
         self.orders.speaks = true;
-        let word = Word { address, index: index as u8, letter, number, counts, column };
+        let word = Word { letter, ..word };
         if !self.words.add(word) {
-            self.fault(column, format!("two {} words", shown(name)));
+            self.fault(word.column, format!("two {} words", shown(name)));
         }
     }
 

@@ -70,7 +70,7 @@ pub(in crate::check) use state::settled;
 use flow::{Flow, Taken};
 use heidenhain::HeidenhainLines;
 use iso::Iso;
-use line::Line;
+use line::{Line, LineResult};
 use lines::{LONGEST, LineKind, Lines};
 use machine::Interpreter;
 use orders::{Act, MotionOrder, Orders, effect, fault};
@@ -468,8 +468,8 @@ impl<P: TextPieces> Reader<P> {
             false => &self.line,
         };
         self.words.clear();
-        let into = (&mut self.words, &mut self.orders);
-        let mut line = Line::new(text, vocabulary, &self.machine, into, &mut self.block.faults);
+        let into = LineResult { words: &mut self.words, orders: &mut self.orders, faults: &mut self.block.faults };
+        let mut line = Line::new(text, vocabulary, &self.machine, into);
         let in_guard = self.dialect.is_in_guard();
         let mut is_block = self.dialect.line(&mut line);
         let may_switch = !line.orders.moves_axes() && !vocabulary.own.is_empty();

@@ -28,6 +28,13 @@ pub(super) struct Word {
     pub(crate) column: usize,
 }
 
+impl Word {
+    /// A word before its name is known. `column`: from 0.
+    pub(super) fn new(address: Address, index: usize, number: Number, counts: Counts, column: usize) -> Self {
+        Self { address, index: index as u8, letter: None, number, counts, column }
+    }
+}
+
 /// A code by its row.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Coded {

@@ -109,7 +109,8 @@ impl Rules<'_> {
     pub(super) fn arc_deviation(
         &self,
         path: &BlockPath<'_>,
-        (segment, arc): (&Segment, &ArcPath),
+        segment: &Segment,
+        arc: &ArcPath,
         along: f64,
     ) -> Option<Deviation> {
         let tip = RoundTip::of(&self.words, &path.arc()?, &path.block.state);
@@ -117,10 +118,10 @@ impl Rules<'_> {
         let count = (LEAST_POINTS + 2.0 * (0.5 * angle / STEP).floor()).min(MOST_POINTS);
         let step = 1.0 / (count + 1.0);
         let begin = along * arc.angle();
-        let distance = |share: f64, (sine, cosine): (f64, f64), motion: (f64, f64)| {
+        let distance = |share: f64, (sine, cosine): (f64, f64), (motion_sine, motion_cosine): (f64, f64)| {
             let on = middle + start * cosine + quarter * sine + rise * share;
-            let near = arc.distance_near(&on, begin + angle * share, motion);
-            near.unwrap_or_else(|| off_arc((segment, arc), &on, along + arc.share_of(angle * share)))
+            let near = arc.distance_near(&on, begin + angle * share, motion_sine, motion_cosine);
+            near.unwrap_or_else(|| off_arc(segment, arc, &on, along + arc.share_of(angle * share)))
         };
         let first = step.min(FROM_ENDS / angle);
         let at_ends = [first, 1.0 - first]

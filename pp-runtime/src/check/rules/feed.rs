@@ -12,8 +12,8 @@ use nalgebra::Rotation3;
 
 use super::super::expect::Required;
 use super::super::policy::{CheckPolicy, FeedPath, LinearMeaning};
-use super::super::read::{Facts, FeedMode, MAX_AXES, State, set_bits};
-use super::{Deviation, tip_rates};
+use super::super::read::{FeedMode, MAX_AXES, State, set_bits};
+use super::{Deviation, MachineWords, WordRounding, tip_rates};
 use crate::check::tolerances::{
     F_NOISE, FASTER, LEVER, PERPENDICULAR_AXES, RESTING_BLOCK, ROUNDED_BLOCK_LENGTH, SLOWED_BY_ROUNDING, TIME_BOUND,
 };
@@ -97,16 +97,35 @@ struct PathExtent {
     least_min: f64,
 }
 
+/// Length of a motion along the path that F counts.
+#[derive(Debug, Clone, Copy)]
+struct CountedPath {
+    /// In mm, or in degrees where only rotary axes move.
+    amount: f64,
+    /// It is a length, in mm.
+    is_length: bool,
+}
+
+impl CountedPath {
+    fn length(amount: f64) -> Self {
+        Self { amount, is_length: true }
+    }
+
+    fn degrees(amount: f64) -> Self {
+        Self { amount, is_length: false }
+    }
+}
+
 impl FeedLaw {
-    /// `bits`: solved linear and rotary axes; `units`: one unit of linear and of rotary words, mm and rad.
+    /// `program`: its units; `rounding`: one unit of linear and of rotary words.
     pub(crate) fn new(
         machine: &dyn AnyMachine,
         policy: &CheckPolicy,
-        facts: &Facts,
         program: Units,
-        bits: (u16, u16),
-        units: (f64, f64),
+        words: &MachineWords,
+        rounding: &WordRounding,
     ) -> Self {
+        let facts = policy.family.facts();
         let usual = if facts.feed_counts_degrees { FeedPath::LinearAndDegrees } else { FeedPath::InverseMinutes };
         let in_tenths = if facts.feed_in_tenths_of_inch && program == Units::Inches { 10.0 } else { 1.0 };
         let travel = policy.set_up.travel(machine.axes());
@@ -123,15 +142,15 @@ impl FeedLaw {
             path: feed.path.unwrap_or(usual),
             largest_word: bound - 10_f64.powi(-(policy.digits.feed(program) as i32)),
             perpendicular: is_perpendicular(machine),
-            linear_bits: bits.0,
-            rotary_bits: bits.1,
+            linear_bits: words.linear_bits(),
+            rotary_bits: words.rotary_bits(),
             speeds: travel.speeds.iter().enumerate().filter_map(speed).collect(),
             largest_mm_per_min: feed.largest_mm_per_min.unwrap_or(f64::INFINITY),
             largest_inverse_time: inverse_time.min(bound - last_digit),
             shortest_min: feed.shortest_block_s / 60.0,
             reorient_rad_per_min: feed.reorient_rad_per_min,
-            unit_mm: units.0,
-            unit_rad: units.1,
+            unit_mm: rounding.unit_mm,
+            unit_rad: rounding.unit_rad,
             smallest: 10_f64.powi(-(policy.digits.feed(program) as i32)),
             digits: policy.digits.inverse_time,
             along_tip: policy.linear_of_all() == Some(LinearMeaning::TipCoordinates),
@@ -222,19 +241,19 @@ impl FeedLaw {
         }
     }
 
-    /// Path that F counts along, and whether it is a length: mm, else degrees.
-    fn counted(&self, extent: &PathExtent) -> (f64, bool) {
+    /// Path that F counts along.
+    fn counted(&self, extent: &PathExtent) -> CountedPath {
         let moves = extent.linear_mm > 0.25 * self.unit_mm;
         match self.path {
-            _ if self.is_plain(extent) => (extent.length_mm, true),
+            _ if self.is_plain(extent) => CountedPath::length(extent.length_mm),
             _ if self.along_tip && self.rotates(extent) && extent.length_mm < self.unit_mm => {
-                (extent.rotary_deg, false)
+                CountedPath::degrees(extent.rotary_deg)
             }
-            _ if self.along_tip => (extent.length_mm, true),
-            FeedPath::InverseMinutes | FeedPath::InverseSeconds => (extent.length_mm, true),
-            FeedPath::Linear if moves => (extent.linear_mm, true),
-            FeedPath::LinearAndDegrees if moves => (extent.linear_mm.hypot(extent.rotary_deg), true),
-            FeedPath::Linear | FeedPath::LinearAndDegrees => (extent.rotary_deg, false),
+            _ if self.along_tip => CountedPath::length(extent.length_mm),
+            FeedPath::InverseMinutes | FeedPath::InverseSeconds => CountedPath::length(extent.length_mm),
+            FeedPath::Linear if moves => CountedPath::length(extent.linear_mm),
+            FeedPath::LinearAndDegrees if moves => CountedPath::length(extent.linear_mm.hypot(extent.rotary_deg)),
+            FeedPath::Linear | FeedPath::LinearAndDegrees => CountedPath::degrees(extent.rotary_deg),
         }
     }
 
@@ -264,12 +283,12 @@ impl FeedLaw {
     }
 
     /// Time that a motion needs whatever its feed, by its axes and the largest F, min.
-    fn least_needed_min(&self, extent: &PathExtent, (counted, _): (f64, bool)) -> f64 {
-        larger(counted / self.largest_mm_per_min, extent.least_min)
+    fn least_needed_min(&self, extent: &PathExtent, counted: CountedPath) -> f64 {
+        larger(counted.amount / self.largest_mm_per_min, extent.least_min)
     }
 
     /// F of a motion that needs a time, along the path that F counts; that of a plain one depends on its feed.
-    fn in_time(&self, needed_min: f64, mode: FeedMode, (counted, is_length): (f64, bool)) -> f64 {
+    fn in_time(&self, needed_min: f64, mode: FeedMode, CountedPath { amount, is_length }: CountedPath) -> f64 {
         let minutes = larger(needed_min, self.shortest_min);
         match (mode, self.path) {
             (FeedMode::InverseTime, FeedPath::InverseSeconds) => {
@@ -277,7 +296,7 @@ impl FeedLaw {
             }
             (FeedMode::InverseTime, _) => smaller(1.0 / minutes, self.largest_inverse_time),
             _ => {
-                let counted = counted * if is_length { self.per_mm } else { 1.0 };
+                let counted = amount * if is_length { self.per_mm } else { 1.0 };
                 self.held((counted / minutes).min(self.largest_word), needed_min)
             }
         }
@@ -297,8 +316,8 @@ impl FeedLaw {
             FeedMode::InverseTime if self.path == FeedPath::InverseSeconds => 1.0 / (60.0 * feed),
             FeedMode::InverseTime => 1.0 / feed,
             FeedMode::PerMinute => {
-                let (counted, is_length) = self.counted(&extent);
-                counted * if is_length { self.per_mm } else { 1.0 } / feed
+                let CountedPath { amount, is_length } = self.counted(&extent);
+                amount * if is_length { self.per_mm } else { 1.0 } / feed
             }
             FeedMode::PerRevolution => {
                 let length = stroke.length_mm / state.units.unwrap_or_default().in_mm();

@@ -472,7 +472,7 @@ impl Rules<'_> {
         let sweep = sweep(block);
         if rotated <= 0.0
             && let PathShape::Arc(arc) = &segment.shape
-            && let Some(deviation) = self.arc_deviation(path, (segment, arc), along)
+            && let Some(deviation) = self.arc_deviation(path, segment, arc, along)
         {
             return Some(deviation);
         }
@@ -488,7 +488,7 @@ impl Rules<'_> {
             fastest.add(on.tip - std::mem::replace(&mut last, on.tip));
             found.tip_mm = found.tip_mm.max(match &segment.shape {
                 PathShape::Arc(arc) if sweep > 0.0 => {
-                    off_arc((segment, arc), &on.tip, along + arc.share_of(sweep * share))
+                    off_arc(segment, arc, &on.tip, along + arc.share_of(sweep * share))
                 }
                 _ => segment.distance(&on, along),
             });
@@ -520,9 +520,9 @@ impl Rules<'_> {
     }
 }
 
-/// Distance of a tip from an arc where so much of it is done, mm.
+/// Distance of a tip from an arc, of which a share is done, mm. `arc`: that of the segment.
 #[inline(never)]
-pub(super) fn off_arc((segment, arc): (&Segment, &ArcPath), tip: &Vector3<f64>, done: f64) -> f64 {
+pub(super) fn off_arc(segment: &Segment, arc: &ArcPath, tip: &Vector3<f64>, done: f64) -> f64 {
     let near = arc.share_near(tip, done).clamp(0.0, 1.0);
     // In the other sense about the same centre, or some other turn.
     let strays = (near - done).abs() > arc.share_of(FRAC_PI_2);

@@ -91,10 +91,9 @@ impl<'a> Rules<'a> {
         let facts = policy.family.facts();
         let words = MachineWords::new(&*machine, policy);
         let rounding = WordRounding::new(&*machine, policy, units, words.rotary_bits().count_ones());
-        let bits = (words.linear_bits(), words.rotary_bits());
         // The axis that rotates at a pole.
         let first_rotary = words.rotary().next();
-        let law = FeedLaw::new(&*machine, policy, &facts, units, bits, (rounding.unit_mm, rounding.unit_rad));
+        let law = FeedLaw::new(&*machine, policy, units, &words, &rounding);
         Self {
             policy,
             facts,

@@ -162,7 +162,8 @@ impl Rules<'_> {
         &self,
         block: &Block,
         required: &Required,
-        (frame, last): (FrameUse, bool),
+        frame: FrameUse,
+        last: bool,
         context: ModalContext,
     ) -> Option<StateFault> {
         let state = &block.state;

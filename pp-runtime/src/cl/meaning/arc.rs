@@ -61,18 +61,34 @@ pub(crate) struct WaitingCircle {
     line: u64,
 }
 
+/// Coordinates of the file: their unit, and how they become those of the workpiece.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct FileCoordinates<'t> {
+    /// mm in one unit of the file.
+    pub(crate) unit_mm: f64,
+    pub(crate) transforms: &'t Transforms,
+}
+
+impl FileCoordinates<'_> {
+    /// A point of the file in the workpiece frame, mm.
+    fn point(&self, point: [f64; 3]) -> Point3<f64> {
+        self.transforms.point(Point3::from(point.map(|value| value * self.unit_mm)))
+    }
+}
+
 impl WaitingCircle {
-    /// Circle of a CIRCLE or MOVARC in line `line`. `unit_mm`: mm in one unit of the file; `sense`: overrides the sense
+    /// Circle of a CIRCLE or MOVARC in line `line`. `sense`: overrides the sense
     /// of the form; `camplete`: with 11 numbers the eighth is the angle (*CAMplete APT* of Autodesk); `tool_axis` in
     /// the workpiece frame: axis of a circle that states none.
     pub(crate) fn new(
         circle: &CircleRecord,
-        (unit_mm, transforms): (f64, &Transforms),
+        file: FileCoordinates<'_>,
         tool_axis: UnitVector3<f64>,
         sense: Option<Sense>,
         camplete: bool,
         line: u64,
     ) -> Result<WaitingCircle, ClFault> {
+        let FileCoordinates { unit_mm, transforms } = file;
         let axis = Vector3::from(circle.axis);
         let length = axis.norm();
         let has_axis = circle.form != CircleForm::Four;
@@ -92,7 +108,7 @@ impl WaitingCircle {
         // The angle of MOVARC counts counter-clockwise about its axis, whatever the sense of a CIRCLE.
         let sense = sense.filter(|_| circle.angle_deg.is_none());
         let stated = stated_sense(circle, sense)?;
-        let centre = transforms.point(Point3::from(circle.centre.map(|value| value * unit_mm)));
+        let centre = file.point(circle.centre);
         Ok(WaitingCircle {
             centre: within_a_kilometre(centre, circle.at)?,
             axis: if has_axis { transforms.direction(UnitVector3::new_normalize(axis)) } else { tool_axis },
@@ -179,17 +195,17 @@ pub(crate) fn tangent_circle(
     record: &TangentArc,
     start: &Pose,
     direction: Vector3<f64>,
-    (unit_mm, transforms): (f64, &Transforms),
+    file: FileCoordinates<'_>,
     line: u64,
 ) -> Result<(WaitingCircle, Point3<f64>), ClFault> {
     let at = record.at;
     let fault = |text: String| tlon_fault(at, text);
-    let point = |p: [f64; 3]| within_a_kilometre(transforms.point(Point3::from(p.map(|value| value * unit_mm))), at);
-    let (centre, radius) = (point(record.centre)?, record.radius * unit_mm);
+    let point = |p: [f64; 3]| within_a_kilometre(file.point(p), at);
+    let (centre, radius) = (point(record.centre)?, record.radius * file.unit_mm);
     let (from, end) = (point(record.line[0])?, point(record.line[1])?);
     let off = ((end - centre).norm() - radius).abs();
     if off > ARC_TOLERANCE_MM {
-        let off = Units::of_length(unit_mm).deviation(off);
+        let off = Units::of_length(file.unit_mm).deviation(off);
         return Err(fault(format!("the end of the line is {off} off the circle, so the end of the arc is unknown")));
     }
     if record.second && (end - from).dot(&(centre - from)) > 0.0 && (end - centre).dot(&(end - from)) < 0.0 {
@@ -213,7 +229,7 @@ pub(crate) fn tangent_circle(
         times: 1,
         angle_rad: None,
         height_mm: None,
-        units: Units::of_length(unit_mm),
+        units: Units::of_length(file.unit_mm),
         line,
     };
     Ok((circle, end))

@@ -2,7 +2,7 @@
 
 use super::frame::{FrameChange, SetUpFrame, StatedFrame, WorkpieceFrames};
 use super::frame_reading::StatedPoint;
-use super::options::{Frames, SetUpBegins};
+use super::options::{ReadingOptions, SetUpBegins};
 use super::transform::{RigidTransform, Transforms};
 use crate::cl::dialect::Dialect;
 use crate::cl::text::{ClFault, Span};
@@ -71,7 +71,7 @@ impl Coordinates {
         &mut self,
         frame: StatedFrame,
         at: Span,
-        options: (Option<Frames>, &[SetUpBegins]),
+        options: &ReadingOptions,
         dialect: Dialect,
     ) -> Result<FrameChange, ClFault> {
         self.workpiece.take(frame, at, options, dialect)

@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 
 use super::frame_reading::{FrameReading, FrameVote, PointsIn, StatedPoint};
-use super::options::{Frames, SetUpBegins};
+use super::options::{ReadingOptions, SetUpBegins};
 use crate::cl::dialect::Dialect;
 use crate::cl::record::FrameRecord;
 use crate::cl::text::{ClFault, Span};
@@ -219,7 +219,7 @@ impl WorkpieceFrames {
         &mut self,
         frame: StatedFrame,
         at: Span,
-        (frames, set_ups): (Option<Frames>, &[SetUpBegins]),
+        options: &ReadingOptions,
         dialect: Dialect,
     ) -> Result<FrameChange, ClFault> {
         self.stated += 1;
@@ -229,7 +229,8 @@ impl WorkpieceFrames {
             return Err(ClFault::new("second frame", at, text, "output one file for each set-up"));
         }
         let index = known.unwrap_or(self.frames.len());
-        let listed = set_ups.iter().find(|set_up| set_up.frames.iter().any(|number| *number as usize == index + 1));
+        let listed =
+            options.set_ups.iter().find(|set_up| set_up.frames.iter().any(|number| *number as usize == index + 1));
         let set_up = match listed {
             Some(set_up) => set_up.number,
             None if self.named => self.set_up,
@@ -244,7 +245,7 @@ impl WorkpieceFrames {
                 let in_model = (dialect == Dialect::Creo).then_some(frame.axes[2]);
                 let columns = std::iter::once(frame.z_in(first)).chain(in_model).collect();
                 let lines = [frame.location.line, first.location.line];
-                self.readings.push(FrameReading::new(lines, columns, frames, begins_set_up));
+                self.readings.push(FrameReading::new(lines, columns, options.frames, begins_set_up));
             }
             self.frames.push(frame);
         }

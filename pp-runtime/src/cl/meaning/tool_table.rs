@@ -103,11 +103,11 @@ impl ToolTable {
         if let Some(length_mm) = call.length_mm {
             state(&mut row.length_mm, length_mm, place, given).map_err(|other| {
                 let what = format!("length of {}", shown(length_mm, units));
-                (here, contradiction(Some(number), &what, place, (&shown(other.0, units), other.1)))
+                (here, contradiction(Some(number), &what, place, &shown(other.0, units), other.1))
             })?;
         }
         if let Some((cutter, at)) = cutter {
-            take_cutter(row, &cutter, at, (Some(number), units), given)?;
+            take_cutter(row, &cutter, at, ShownTool { number: Some(number), units }, given)?;
         }
         call.length_mm = row.length_mm.filter(of_cl_data).map(|(length_mm, _)| length_mm);
         (call.diameter_mm, call.corner_radius_mm) = size(row);
@@ -124,7 +124,7 @@ impl ToolTable {
         let (number, units) = (call.as_ref().map(|call| call.number), self.units);
         let register = call.as_ref().and_then(|call| call.length_offset).or(given.and_then(|given| given.offset));
         let row = self.row(number, register.or(number).unwrap_or(0), given);
-        take_cutter(row, &cutter, at, (number, units), given)?;
+        take_cutter(row, &cutter, at, ShownTool { number, units }, given)?;
         if let Some(call) = call {
             (call.diameter_mm, call.corner_radius_mm) = size(row);
         }
@@ -193,11 +193,20 @@ fn state(
     Ok(())
 }
 
+/// The tool of a message.
+#[derive(Debug, Clone, Copy)]
+struct ShownTool {
+    /// Its number; `None`: the tool in the spindle, without a call.
+    number: Option<u32>,
+    /// Units of its sizes in the message.
+    units: Units,
+}
+
 fn take_cutter(
     row: &mut ToolRow,
     cutter: &CutterRecord,
     at: Location,
-    (number, units): (Option<u32>, Units),
+    ShownTool { number, units }: ShownTool,
     given: Option<&StatedTool>,
 ) -> Result<(), Contradiction> {
     let place = StatedAt::Line(at.line);
@@ -206,7 +215,7 @@ fn take_cutter(
         return Ok(());
     }
     let against = |what: String, (other, its_place): (String, StatedAt)| {
-        (at, contradiction(number, &what, place, (&other, its_place)))
+        (at, contradiction(number, &what, place, &other, its_place))
     };
     state(&mut row.diameter_mm, cutter.diameter, place, given).map_err(|(other, its_place)| {
         against(format!("diameter of {}", shown(cutter.diameter, units)), (shown(other, units), its_place))
@@ -227,7 +236,7 @@ fn take_cutter(
     Ok(())
 }
 
-fn contradiction(number: Option<u32>, what: &str, place: StatedAt, (other, its_place): (&str, StatedAt)) -> ClFault {
+fn contradiction(number: Option<u32>, what: &str, place: StatedAt, other: &str, its_place: StatedAt) -> ClFault {
     let Some(number) = number else {
         let text =
             format!("the tool in the spindle has a {what} in {} and {other} in {}", place.text(0), its_place.text(0));

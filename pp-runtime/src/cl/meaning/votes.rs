@@ -67,6 +67,15 @@ pub(crate) struct Contradictions {
     pub(crate) is_sense_wrong: bool,
 }
 
+/// Arcs whose votes are counted together.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ArcKind {
+    /// Number of their frame.
+    pub(crate) frame: u32,
+    /// A word states their sense.
+    pub(crate) stated: bool,
+}
+
 /// An arc whose following motion is not read yet.
 #[derive(Debug, Clone, Copy)]
 struct UndecidedArc {
@@ -87,14 +96,14 @@ pub(crate) struct ArcVotes {
 }
 
 impl ArcVotes {
-    /// Adds an arc; `line`: the feed line before it; `stated`: a word states its sense.
+    /// Adds an arc; `line`: the feed line before it.
     #[inline(always)]
     pub(crate) fn add_arc(
         &mut self,
         arc: &Arc,
         axis: &UnitVector3<f64>,
         line: Option<Vector3<f64>>,
-        (frame, stated): (u32, bool),
+        ArcKind { frame, stated }: ArcKind,
         at: Location,
     ) {
         self.conclude_arc(None);

@@ -473,7 +473,7 @@ fn one_by_one<const N: usize, const USED: usize>(
         if last != mark {
             std::mem::swap(&mut before.whole, &mut before.other);
         }
-        before.whole.take(line, length, (count, at));
+        before.whole.take(line, length, count, at);
     }
     Some((ShortNumbers { numbers: *numbers.first_chunk()?, count, at }, length))
 }

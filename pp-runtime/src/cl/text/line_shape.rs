@@ -74,7 +74,7 @@ impl<const N: usize> LineShape<N> {
     /// Takes the shape of a line of `count` numbers, each a byte after the one before; `at` is their place. `text`
     /// begins with the line and goes on. A long line has none.
     #[inline(never)]
-    pub(super) fn take(&mut self, text: &[u8], length: usize, (count, at): (usize, Span)) {
+    pub(super) fn take(&mut self, text: &[u8], length: usize, count: usize, at: Span) {
         self.length = 0;
         if length > LONGEST {
             return;

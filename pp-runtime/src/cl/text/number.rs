@@ -291,21 +291,30 @@ pub(crate) fn number_at_start(text: &[u8]) -> Option<(f64, usize)> {
     let magnitude = if digits <= EXACT_DIGITS && !matches!(text.get(at), Some(b'E' | b'e' | b'D' | b'd')) {
         mantissa.cast_signed() as f64 / POWERS_OF_TEN[decimals]
     } else {
-        let (magnitude, end) = long_number(text, whole, at, (mantissa, digits, decimals))?;
+        let (magnitude, end) = long_number(text, whole, at, Mantissa { value: mantissa, digits, decimals })?;
         at = end;
         magnitude
     };
     Some((if sign == Some(b'-') { -magnitude } else { magnitude }, at))
 }
 
-/// Magnitude of a number with an exponent or with many digits, and its end. Its digits begin at `start` and end at
-/// `at`.
+/// Digits of a number without its exponent.
+#[derive(Debug, Clone, Copy)]
+struct Mantissa {
+    /// The digits as a whole number; wrapped where there are more than 19.
+    value: u64,
+    digits: usize,
+    /// Number of the digits after the decimal point.
+    decimals: usize,
+}
+
+/// Magnitude of a number with an exponent or with many digits, and its end. Its digits begin at `start` and end at `at`.
 #[cold]
 fn long_number(
     text: &[u8],
     start: usize,
     at: usize,
-    (mantissa, digits, decimals): (u64, usize, usize),
+    Mantissa { value: mantissa, digits, decimals }: Mantissa,
 ) -> Option<(f64, usize)> {
     let (mut end, mut exponent) = (at, -i64::try_from(decimals).ok()?);
     if matches!(text.get(at), Some(b'E' | b'e' | b'D' | b'd')) {

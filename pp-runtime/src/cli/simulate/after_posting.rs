@@ -13,7 +13,7 @@ use super::super::messages::MessageWriter;
 use super::super::outcome::Failure;
 use super::super::posting::{AfterPosting, Finished, PostRun};
 use super::bodies::Bodies;
-use super::simulate;
+use super::{SimulatedFiles, SimulationRun, simulate};
 
 /// The bodies of a program that is being posted, and its text.
 struct PostedBodies<'a> {
@@ -58,8 +58,9 @@ impl AfterPosting for PostedBodies<'_> {
         show_simulation(source, terminal, &args.set_up);
         let policy = run.policy(machine)?;
         let keep = args.view.is_some();
-        let how = (&args.simulation, args.set_up.threads());
-        let simulated = simulate(machine, policy, (source, &mut text, run.output), bodies, how, keep)?;
+        let files = SimulatedFiles { source, program: &mut text, shown: run.output };
+        let how = SimulationRun { args: &args.simulation, threads: args.set_up.threads(), keep };
+        let simulated = simulate(machine, policy, files, bodies, how)?;
         simulated.findings(messages);
         let line = simulated.line();
         Ok((if simulated.passed { Ok(vec![line]) } else { Err(line) }, Box::new(simulated)))

@@ -17,8 +17,8 @@ use std::path::Path;
 use crate::check::{CheckPolicy, Checked, check_observed};
 use crate::kinematics::AnyMachine;
 use crate::simulate::{
-    LineRecords, Machined, Machining, Origin, PartPlaces, Recording, Simulation, SimulationOutcome, ToolBodies,
-    clearances, without_solids,
+    ComparisonLimits, LineRecords, Machined, Machining, Origin, PartPlaces, Recording, Simulation, SimulationOutcome,
+    ToolBodies, clearances, without_solids,
 };
 use crate::view::{ClFacts, Collector, Motions, ViewedProgram};
 
@@ -37,7 +37,7 @@ pub(super) use after_posting::after_posting;
 use against_design::{AgainstDesign, DesignTolerances};
 use bodies::{Bodies, GivenDesign};
 use figures::Figures;
-use page::ShownBodies;
+use page::{ResultSentences, ShownBodies};
 
 /// Result of a simulation.
 struct Simulated {
@@ -69,7 +69,7 @@ impl PagePart for Simulated {
         let Some(shown) = &self.shown else { return Ok(()) };
         let placed = self.policy.set_up.machine_for(machine).map_err(io::Error::other)?;
         let figures = serde_json::to_value(self.figures())?;
-        let sentences = (self.line(), self.outcome.summary());
+        let sentences = ResultSentences { line: self.line(), summary: self.outcome.summary() };
         let page = shown.page(&*placed, &self.policy.set_up, program, figures, sentences)?;
         program.add_simulation(page);
         Ok(())
@@ -128,7 +128,7 @@ pub(crate) fn run(
     }
     let mut read = args.files_read();
     read.extend(cl_file(&args.input));
-    refuse_overwriting((args.set_up.config.as_deref(), &config), &read, &args.files_written())?;
+    refuse_overwriting(args.set_up.config.as_deref(), &config, &read, &args.files_written())?;
     let mut source = open_cl_data(&args.input, &args.set_up, streams.input)?;
     let name = source.name().to_owned();
     let unreadable = |error| Failure::Unreadable(name.clone(), error);
@@ -180,8 +180,9 @@ pub(crate) fn run(
     let policy = run.policy(machine)?;
     show_simulation(&mut source, streams.terminal, &args.set_up);
     let keep = page.is_some();
-    let how = (&args.simulation, args.set_up.threads());
-    let simulated = simulate(machine, policy, (&mut source, &mut program, shown), bodies, how, keep)?;
+    let files = SimulatedFiles { source: &mut source, program: &mut program, shown };
+    let how = SimulationRun { args: &args.simulation, threads: args.set_up.threads(), keep };
+    let simulated = simulate(machine, policy, files, bodies, how)?;
     source.hide_progress();
     if let Some(what) = source.changed_since_opened() {
         return Err(Failure::Changed(name, what));
@@ -205,16 +206,33 @@ pub(crate) fn run(
     Ok(if simulated.passed { Status::Done } else { Status::Rejected })
 }
 
-/// Executes a program with the bodies of a job. Both files are at their start; `shown`: name of the program; `threads`:
-/// number of those of the removal; `keep`: a page will show it.
+/// Files of a simulation, both at their start.
+struct SimulatedFiles<'f> {
+    source: &'f mut ClSource,
+    program: &'f mut File,
+    /// Name of the program.
+    shown: &'f Path,
+}
+
+/// How a program is simulated.
+#[derive(Clone, Copy)]
+struct SimulationRun<'r> {
+    args: &'r SimulationArgs,
+    /// Number of threads of the removal.
+    threads: usize,
+    /// A page will show the bodies.
+    keep: bool,
+}
+
+/// Executes a program with the bodies of a job.
 fn simulate(
     machine: &dyn AnyMachine,
     mut policy: CheckPolicy,
-    (source, program, shown): (&mut ClSource, &mut File, &Path),
+    files: SimulatedFiles<'_>,
     bodies: Bodies,
-    (args, threads): (&SimulationArgs, usize),
-    keep: bool,
+    SimulationRun { args, threads, keep }: SimulationRun<'_>,
 ) -> Result<Simulated, Failure> {
+    let SimulatedFiles { source, program, shown } = files;
     let name = source.name().to_owned();
     let unreadable = |error| Failure::Unreadable(name.clone(), error);
     let Bodies { stock, stock_text, design, solids, tool_table } = bodies;
@@ -231,7 +249,7 @@ fn simulate(
     let distances = clearances(&*placed, &policy.set_up, &solids, &tools, &stock, &mut sentences);
     let places = PartPlaces::of(&policy.set_up, &facts);
     let kept_tools = keep.then(|| tools.clone());
-    let machining = Machining::new(policy, tools, (stock, places.clone()), threads);
+    let machining = Machining::new(policy, tools, stock, places.clone(), threads);
     let machining = if keep { machining.recorded() } else { machining };
     let mut simulation = Simulation::new(policy, machine.axes(), machining, distances);
     let execute = |source: &mut ClSource, program: &mut File, motions: &mut dyn Motions| {
@@ -265,14 +283,15 @@ fn simulate(
                 Some(place) if last != 1 => design.moved(&place),
                 _ => design,
             };
-            let comparison = design.compare(
-                &machined,
-                (tolerances.gouge_limit_mm(), tolerances.rest_limit_mm(), 2.0 * tolerances.certified_mm),
-                &|origin| match origin {
-                    Origin::Line(line) => outcome.allowance_mm(u64::from(line)),
-                    Origin::Blank | Origin::Unknown => 0.0,
-                },
-            );
+            let limits = ComparisonLimits {
+                gouge_mm: tolerances.gouge_limit_mm(),
+                rest_mm: tolerances.rest_limit_mm(),
+                thin_mm: 2.0 * tolerances.certified_mm,
+            };
+            let comparison = design.compare(&machined, limits, &|origin| match origin {
+                Origin::Line(line) => outcome.allowance_mm(u64::from(line)),
+                Origin::Blank | Origin::Unknown => 0.0,
+            });
             let mut records = LineRecords::of(comparison.lines());
             if !records.is_empty() {
                 // The program is executed again for the records of the lines that were found.

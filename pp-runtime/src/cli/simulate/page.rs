@@ -34,15 +34,21 @@ pub(super) struct ShownBodies {
     pub(super) places: PartPlaces,
 }
 
+/// The result of a simulation as sentences.
+pub(super) struct ResultSentences {
+    pub(super) line: String,
+    pub(super) summary: Vec<String>,
+}
+
 impl ShownBodies {
-    /// The part of the page. `line` and `summary`: the result as sentences.
+    /// The part of the page.
     pub(super) fn page(
         &self,
         machine: &dyn AnyMachine,
         set_up: &SetUp,
         program: &ViewedProgram<'_>,
         figures: serde_json::Value,
-        (line, summary): (String, Vec<String>),
+        ResultSentences { line, summary }: ResultSentences,
     ) -> io::Result<SimulatedPage> {
         let links = MachineLinks::of(machine, set_up);
         let numbers: Vec<u32> = set_up.clampings().map(|(number, _)| number).collect();

@@ -41,7 +41,7 @@ use crate::shortcut::Shortcut;
 
 use packed::PackedChanges;
 use search::{CourseSearch, RotaryState};
-use states::{StateFinder, TestedCuts, chord};
+use states::{CutEnd, StateFinder, TestedCuts, chord};
 use steady::SteadyRun;
 
 /// Largest number of points at which one block is split, at poles and at limits.
@@ -332,7 +332,7 @@ impl Navigator {
                 continue;
             }
             followed = false;
-            if !self.step(run, (&pose, pole.as_ref()), air, begins) {
+            if !self.step(run, &pose, pole.as_ref(), air, begins) {
                 self.searches[run].ended = true;
             }
         }
@@ -378,7 +378,7 @@ impl Navigator {
         let finder = &self.finder;
         let chord = chord(from, pose);
         let follows = finder.passes_far_from_poles(chord, &pose.axis)
-            && takes((run, &mut self.searches), finder, self.motion, (pose, chord));
+            && takes(run, &mut self.searches, finder, self.motion, RunCut { pose, chord });
         if follows {
             *from = *pose;
         }
@@ -409,7 +409,7 @@ impl Navigator {
         let mut run = SteadyRun::begin(&solutions, placer.rotaries(), placer.scale(), compares);
         let same_turns = || run.tries_same_turns(&placer.machine().rotary_axes(&pose.axis, placer.held()));
         let begins = (start == RunStart::AfterCut || !placer.has_many_turns() || same_turns())
-            && takes((&mut run, &mut self.searches), &self.finder, self.motion, (pose, chord));
+            && takes(&mut run, &mut self.searches, &self.finder, self.motion, RunCut { pose, chord });
         if begins {
             (self.run, self.here) = (Some(run), Some(*pose));
         }
@@ -442,8 +442,8 @@ impl Navigator {
         self.here.is_some_and(|from| self.finder.is_near_limit(&from, pose, &self.states))
     }
 
-    /// Takes one motion in one search. Returns false if no state of the pose can be reached.
-    fn step(&mut self, run: usize, (pose, pole): (&Pose, Option<&UnitVector3<f64>>), air: bool, begins: bool) -> bool {
+    /// Takes one motion in one search. `pole`: where the tool axis is at it. Returns false if no state of the pose can be reached.
+    fn step(&mut self, run: usize, pose: &Pose, pole: Option<&UnitVector3<f64>>, air: bool, begins: bool) -> bool {
         let motion = self.motion;
         let (finder, search) = (&self.finder, &mut self.searches[run].search);
         let from = self.here.filter(|_| !air);
@@ -459,7 +459,7 @@ impl Navigator {
             (None, None) => search.free(motion, &self.states, self.sense, is_preferred),
             (None, Some(_)) => {
                 let Some(first) = finder.placer().rotaries().first() else { return false };
-                search.free_to_pole((motion, begins), (*first, &self.second_words), self.sense);
+                search.free_to_pole(motion, begins, *first, &self.second_words, self.sense);
                 true
             }
             (Some(_), Some(_)) if self.pole.is_some() => true,
@@ -476,7 +476,7 @@ impl Navigator {
                     search.cut_to_pole(motion, Some(part), |state| finder.at_pole(&pole, &from.axis, state))
                         && search.leave_pole(motion, &self.states, &exits, is_preferred)
                 }
-                None => cut(finder, search, motion, (&from, pose), &self.states, &mut self.tested),
+                None => cut(finder, search, motion, [&from, pose], &self.states, &mut self.tested),
             },
         }
     }
@@ -493,14 +493,31 @@ impl Navigator {
     }
 }
 
-/// Whether a run, and the searches in it, take a cut to a pose, far from the poles. `chord`: square of the distance
-/// between the tool axes of its ends.
+/// A cut that may belong to a run: far from the poles.
+#[derive(Clone, Copy)]
+struct RunCut<'p> {
+    /// Pose at its end.
+    pose: &'p Pose,
+    /// Square of the distance between the tool axes of its ends.
+    chord: f64,
+}
+
+/// A pose on a path.
+#[derive(Clone, Copy)]
+struct PoseOnPath<'p> {
+    pose: &'p Pose,
+    /// Share of the path up to the pose, 0 to 1.
+    share: f64,
+}
+
+/// Whether a run, and the searches in it, take a cut.
 #[inline(always)]
 fn takes(
-    (run, searches): (&mut SteadyRun, &mut [SearchRun]),
+    run: &mut SteadyRun,
+    searches: &mut [SearchRun],
     finder: &StateFinder,
     motion: u64,
-    (pose, chord): (&Pose, f64),
+    RunCut { pose, chord }: RunCut<'_>,
 ) -> bool {
     let placer = finder.placer();
     let solutions = placer.machine().rotary_axes(&pose.axis, placer.held());
@@ -583,7 +600,7 @@ fn cut(
     finder: &StateFinder,
     search: &mut CourseSearch,
     motion: u64,
-    (from, to): (&Pose, &Pose),
+    [from, to]: [&Pose; 2],
     states: &[RotaryState],
     tested: &mut TestedCuts,
 ) -> bool {
@@ -595,7 +612,10 @@ fn cut(
     for _ in 0..MAX_CROSSINGS {
         let merged = finder.merged(to, states) || finder.merged(&here, search.layer());
         tested.begin_at(done);
-        if search.cut(motion, states, None, |a, b| finder.connected((&here, a), (to, b), merged, tested)) {
+        if search.cut(motion, states, None, |a, b| {
+            let (start, end) = (CutEnd { pose: &here, state: a }, CutEnd { pose: to, state: b });
+            finder.connected(start, end, merged, tested)
+        }) {
             return true;
         }
         let Some(segment) = &segment else { return false };
@@ -608,8 +628,10 @@ fn cut(
             finder.states(&pose, &near, &mut split);
             // No other search asks for cuts to this pose.
             let mut tested = TestedCuts::default();
-            let mut connected =
-                |a: &RotaryState, b: &RotaryState| finder.connected((&here, a), (&pose, b), false, &mut tested);
+            let mut connected = |a: &RotaryState, b: &RotaryState| {
+                let (start, end) = (CutEnd { pose: &here, state: a }, CutEnd { pose: &pose, state: b });
+                finder.connected(start, end, false, &mut tested)
+            };
             let reached = search.cut(motion, &split, Some(part), &mut connected);
             reached.then_some(pose)
         };
@@ -619,30 +641,32 @@ fn cut(
             (here, done, passing) = (pose, part, None);
             continue;
         }
-        let Some(part) = crossing(finder, search, segment, (&here, done), &near) else { return false };
+        let Some(part) = crossing(finder, search, segment, PoseOnPath { pose: &here, share: done }, &near) else {
+            return false;
+        };
         let Some(pose) = split_at(search, part) else { return false };
         (here, done) = (pose, part);
     }
     false
 }
 
-/// First fraction of the path at which a state of the last layer reaches a limit while another turn is inside the
+/// First fraction of the path, after `from`, at which a state of the last layer reaches a limit while another turn is inside the
 /// limits.
 fn crossing(
     finder: &StateFinder,
     search: &CourseSearch,
     segment: &PathSegment,
-    (here, done): (&Pose, f64),
+    from: PoseOnPath<'_>,
     near: &[RotaryWords],
 ) -> Option<f64> {
     let mut split = Vec::new();
     let mut first: Option<f64> = None;
     for state in search.layer() {
         let runs = |part: f64| finder.continued(&segment.at(part), state);
-        if !finder.continued(here, state).is_some_and(|words| finder.inside(&words)) {
+        if !finder.continued(from.pose, state).is_some_and(|words| finder.inside(&words)) {
             continue;
         }
-        let (mut inside, mut outside) = (done, 1.0);
+        let (mut inside, mut outside) = (from.share, 1.0);
         for _ in 0..60 {
             let middle = 0.5 * (inside + outside);
             match runs(middle) {
@@ -650,7 +674,7 @@ fn crossing(
                 _ => outside = middle,
             }
         }
-        if inside <= done || first.is_some_and(|first| first <= inside) {
+        if inside <= from.share || first.is_some_and(|first| first <= inside) {
             continue;
         }
         finder.states(&segment.at(inside), near, &mut split);

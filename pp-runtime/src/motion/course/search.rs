@@ -467,8 +467,10 @@ impl CourseSearch {
     /// other axis. `begins`: an operation begins with the motion.
     pub(crate) fn free_to_pole(
         &mut self,
-        (motion, begins): (u64, bool),
-        (first, second): (Rotary, &[i64]),
+        motion: u64,
+        begins: bool,
+        first: Rotary,
+        second: &[i64],
         sense: Option<RotationSense>,
     ) {
         if begins {

@@ -42,6 +42,21 @@ pub(crate) struct TestedCuts {
     results: Vec<([RotaryWords; 2], bool)>,
 }
 
+/// A pose where a cut begins or ends, and the state of the rotary axes there.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct CutEnd<'p> {
+    pub(crate) pose: &'p Pose,
+    pub(crate) state: &'p RotaryState,
+}
+
+/// Rotary words at a share of a path.
+#[derive(Debug, Clone, Copy)]
+struct WordsAtShare {
+    /// Share of the path, 0 to 1.
+    share: f64,
+    words: RotaryWords,
+}
+
 impl TestedCuts {
     /// Forgets all cuts.
     pub(crate) fn clear(&mut self) {
@@ -240,15 +255,9 @@ impl StateFinder {
         states.iter().map(|state| self.at_pole(pole, axis, state)).collect()
     }
 
-    /// Whether a cut from one state to another keeps the tool on its path: the axes move continuously from end to end,
-    /// and inside their limits. `merged`: both branches are the same.
-    pub(crate) fn connected(
-        &self,
-        from: (&Pose, &RotaryState),
-        to: (&Pose, &RotaryState),
-        merged: bool,
-        tested: &mut TestedCuts,
-    ) -> bool {
+    /// Whether a cut from one state to another keeps the tool on its path: the axes move continuously from end to end, and
+    /// inside their limits. `merged`: both branches are the same.
+    pub(crate) fn connected(&self, from: CutEnd<'_>, to: CutEnd<'_>, merged: bool, tested: &mut TestedCuts) -> bool {
         self.is_joined(from, to, merged, tested) && self.stays_inside(from, to)
     }
 
@@ -268,9 +277,10 @@ impl StateFinder {
     }
 
     /// Whether a cut stays inside the limits between its ends, where the rotary axes do not go evenly.
-    fn stays_inside(&self, (a, start): (&Pose, &RotaryState), (b, end): (&Pose, &RotaryState)) -> bool {
+    fn stays_inside(&self, from: CutEnd<'_>, to: CutEnd<'_>) -> bool {
+        let (CutEnd { pose: a, state: start }, CutEnd { pose: b, state: end }) = (from, to);
         let ends = [*start, *end];
-        if !self.is_near_limit(a, b, &ends) || self.placer.goes_evenly((a, &start.words), (b, &end.words)) {
+        if !self.is_near_limit(a, b, &ends) || self.placer.goes_evenly([a, b], [&start.words, &end.words]) {
             return true;
         }
         let Some(segment) = PathSegment::new(a, b) else { return true };
@@ -286,14 +296,8 @@ impl StateFinder {
     }
 
     /// Whether the axes move continuously from one state to another.
-    fn is_joined(
-        &self,
-        from: (&Pose, &RotaryState),
-        to: (&Pose, &RotaryState),
-        merged: bool,
-        tested: &mut TestedCuts,
-    ) -> bool {
-        let ((a, start), (b, end)) = (from, to);
+    fn is_joined(&self, from: CutEnd<'_>, to: CutEnd<'_>, merged: bool, tested: &mut TestedCuts) -> bool {
+        let (CutEnd { pose: a, state: start }, CutEnd { pose: b, state: end }) = (from, to);
         if !self.placer.metric().short(&start.words, &end.words) || (start.branch != end.branch && !merged) {
             return false;
         }
@@ -304,33 +308,28 @@ impl StateFinder {
         let end = [start.words[0] + change[0], start.words[1] + change[1]];
         tested.is_continuous([start.words, end], || {
             let segment = PathSegment::new(a, b);
-            segment.is_some_and(|path| self.is_continuous(&path, (0.0, start.words), (1.0, end), MAX_HALVINGS))
+            let (from, to) = (WordsAtShare { share: 0.0, words: start.words }, WordsAtShare { share: 1.0, words: end });
+            segment.is_some_and(|path| self.is_continuous(&path, from, to, MAX_HALVINGS))
         })
     }
 
-    /// Whether repeated halving of a part of a block, from share to share with their words, leads to rotations below
-    /// 10°.
-    fn is_continuous(
-        &self,
-        segment: &PathSegment,
-        from: (f64, RotaryWords),
-        to: (f64, RotaryWords),
-        halvings: u32,
-    ) -> bool {
-        let travel = (0..2).map(|axis| (to.1[axis] - from.1[axis]).abs()).max().unwrap_or(0);
+    /// Whether repeated halving of a part of a block leads to rotations below 10°.
+    fn is_continuous(&self, segment: &PathSegment, from: WordsAtShare, to: WordsAtShare, halvings: u32) -> bool {
+        let travel = (0..2).map(|axis| (to.words[axis] - from.words[axis]).abs()).max().unwrap_or(0);
         if 36 * travel < self.placer.scale().units_per_turn {
             return true;
         }
         if halvings == 0 {
             return false;
         }
-        let share = 0.5 * (from.0 + to.0);
-        let expected = [0, 1].map(|axis| (from.1[axis] + to.1[axis]) / 2);
+        let share = 0.5 * (from.share + to.share);
+        let expected = [0, 1].map(|axis| (from.words[axis] + to.words[axis]) / 2);
         let Some(words) = self.nearest_turns(&segment.at(share), &expected) else { return false };
         let off = (0..2).map(|axis| (words[axis] - expected[axis]).abs()).max().unwrap_or(0);
+        let middle = WordsAtShare { share, words };
         off < travel
-            && self.is_continuous(segment, from, (share, words), halvings - 1)
-            && self.is_continuous(segment, (share, words), to, halvings - 1)
+            && self.is_continuous(segment, from, middle, halvings - 1)
+            && self.is_continuous(segment, middle, to, halvings - 1)
     }
 
     /// Words of a pose nearest to the expected ones, on any branch, without limits.

@@ -111,7 +111,9 @@ impl ExhaustiveSearch<'_> {
             for start in &self.layers[index - 1] {
                 let rewound = Cost { rewinds: u32::from(*start != from), ..Cost::default() };
                 let cost = Self::sum(Self::sum(cost, rewound), turning(&from, start));
-                if self.finder.connected((before, start), (&point.pose, to), false, &mut TestedCuts::default()) {
+                let from = CutEnd { pose: before, state: start };
+                let end = CutEnd { pose: &point.pose, state: to };
+                if self.finder.connected(from, end, false, &mut TestedCuts::default()) {
                     next.push((*to, Self::sum(cost, turning(start, to))));
                 }
             }

@@ -29,6 +29,17 @@ pub(crate) struct ArcGeometry<'a> {
     pub(crate) rise_mm: f64,
 }
 
+/// Motion of an arc along an axis of the workpiece.
+#[derive(Clone, Copy)]
+struct AlongAxis {
+    /// X, Y or Z: 0, 1 or 2.
+    axis: usize,
+    /// Largest distance along the axis from the centre of a circle with a radius of 1.
+    across: f64,
+    /// Rise of the arc along the axis, mm.
+    rise_mm: f64,
+}
+
 impl<'a> ArcGeometry<'a> {
     pub(crate) fn new(arc: &'a Arc) -> Self {
         let normal = arc.normal.into_inner();
@@ -135,12 +146,13 @@ impl<'a> ArcGeometry<'a> {
             return ends;
         }
         let rise_mm = self.arc.normal[axis] * self.rise_mm;
+        let along = AlongAxis { axis, across, rise_mm };
         if let Some([lowest, highest]) = known {
             // A circle may reach the box exactly.
             let is_circle = !self.changes(rise_mm) && self.arc.angle_rad <= TAU;
             if is_circle
-                && lowest[axis] <= self.of_circle(axis, (across, rise_mm), (-1.0, 0.0))
-                && self.of_circle(axis, (across, rise_mm), (1.0, 0.0)) <= highest[axis]
+                && lowest[axis] <= self.of_circle(along, -1.0, 0.0)
+                && self.of_circle(along, 1.0, 0.0) <= highest[axis]
             {
                 return ends;
             }
@@ -152,21 +164,16 @@ impl<'a> ArcGeometry<'a> {
                 return ends;
             }
         }
-        self.range_beyond(axis, (across, rise_mm), ends, known)
+        self.range_beyond(along, ends, known)
     }
 
     /// Lowest and highest coordinate of an arc whose circle is not known to be within.
     #[inline(never)]
-    fn range_beyond(
-        &self,
-        axis: usize,
-        (across, rise_mm): (f64, f64),
-        mut range: [f64; 2],
-        known: Option<[[f64; 3]; 2]>,
-    ) -> [f64; 2] {
+    fn range_beyond(&self, along: AlongAxis, mut range: [f64; 2], known: Option<[[f64; 3]; 2]>) -> [f64; 2] {
+        let AlongAxis { axis, across, rise_mm } = along;
         let mut include = |at: f64| range = [smaller(at, range[0]), larger(at, range[1])];
         if self.arc.angle_rad <= TAU && rise_mm.abs() <= LEVEL_ARC * self.radius() * across * self.arc.angle_rad {
-            let [lowest, highest] = self.turning_points(axis, (across, rise_mm));
+            let [lowest, highest] = self.turning_points(along);
             if let Some(at) = lowest {
                 include(at);
             }
@@ -188,9 +195,9 @@ impl<'a> ArcGeometry<'a> {
         (self.radii_mm[1] - self.radii_mm[0]).abs() > 0.0 || rise_mm.abs() > 0.0
     }
 
-    /// Coordinate along an axis of the point of its circle that is furthest to a side, 1 or -1, at a part of the arc.
-    /// `across`: motion along the axis for a radius of 1; `rise_mm`: rise along it, which moves no extreme.
-    fn of_circle(&self, axis: usize, (across, rise_mm): (f64, f64), (side, part): (f64, f64)) -> f64 {
+    /// Coordinate along an axis of the point of its circle that is furthest to a side, 1 or -1, at a part of the arc, 0 to 1. The
+    /// rise moves no extreme.
+    fn of_circle(&self, AlongAxis { axis, across, rise_mm }: AlongAxis, side: f64, part: f64) -> f64 {
         let wider_mm = self.radii_mm[1] - self.radii_mm[0];
         let start = self.arc.centre[axis] + self.arc.normal[axis] * self.level_mm;
         start + side * across * (self.radii_mm[0] + wider_mm * part) + rise_mm * part
@@ -199,10 +206,10 @@ impl<'a> ArcGeometry<'a> {
     /// Coordinates along an axis of the extremes, lowest and highest, that an arc of one revolution at most has between
     /// its ends.
     ///
-    /// They are the coordinate of the centre, less or plus the radius times `across`. An arc of at most half a
-    /// revolution passes the highest point if it begins to climb and ends falling; a longer one, unless the rest of its
-    /// circle does.
-    fn turning_points(&self, axis: usize, (across, rise_mm): (f64, f64)) -> [Option<f64>; 2] {
+    /// They are the coordinate of the centre, less or plus the radius times `across`. An arc of at most half a revolution passes
+    /// the highest point if it begins to climb and ends falling; a longer one, unless the rest of its circle does.
+    fn turning_points(&self, along: AlongAxis) -> [Option<f64>; 2] {
+        let AlongAxis { axis, rise_mm, .. } = along;
         let (a, b) = (self.u[axis], self.v[axis]);
         let (angle, end) = (self.arc.angle_rad, self.arc.end.tip - self.arc.centre);
         let slopes = [b, b * end.dot(&self.u) - a * end.dot(&self.v)];
@@ -215,7 +222,7 @@ impl<'a> ArcGeometry<'a> {
             }
             let changes = self.changes(rise_mm);
             let part = if changes { math::from_zero(math::atan2(side * b, side * a)) / angle } else { 0.0 };
-            Some(self.of_circle(axis, (across, rise_mm), (side, part)))
+            Some(self.of_circle(along, side, part))
         };
         [turning(-1.0), turning(1.0)]
     }

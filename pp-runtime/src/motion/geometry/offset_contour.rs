@@ -211,13 +211,14 @@ impl OffsetContour {
             return Ok([0.0; 2]);
         }
         let ends = self.ends(before, after);
-        let line = |element: &ContourElement, point: InPlane| (point, element.direction(element.start));
+        let along = |element: &ContourElement| element.direction(element.start);
+        let circle = |arc: ContourArc, radius_mm| OffsetCircle { centre: arc.centre, radius_mm };
         let [[_, before_mm], [after_mm, _]] = [before.radii_mm, after.radii_mm];
         let points = match (before.element.arc, after.element.arc) {
             (None, None) => return Ok([self.left_mm.abs() * tangent_of_half(turn); 2]),
-            (None, Some(arc)) => on_line_and_circle(line(&before.element, ends[0]), (arc.centre, after_mm)),
-            (Some(arc), None) => on_line_and_circle(line(&after.element, ends[1]), (arc.centre, before_mm)),
-            (Some(one), Some(other)) => on_circles((one.centre, before_mm), (other.centre, after_mm)),
+            (None, Some(arc)) => on_line_and_circle(ends[0], along(&before.element), circle(arc, after_mm)),
+            (Some(arc), None) => on_line_and_circle(ends[1], along(&after.element), circle(arc, before_mm)),
+            (Some(one), Some(other)) => on_circles(circle(one, before_mm), circle(other, after_mm)),
         };
         let trims = |point| [before.between(point, ends[0]), after.between(ends[1], point)];
         let cuts =
@@ -293,8 +294,16 @@ fn tangent_of_half(angle_rad: f64) -> f64 {
     sine / cosine
 }
 
+/// Circle of the offset of an arc.
+#[derive(Clone, Copy)]
+struct OffsetCircle {
+    centre: InPlane,
+    radius_mm: f64,
+}
+
 /// Where a line, through a point along a direction, crosses a circle.
-fn on_line_and_circle((point, along): (InPlane, InPlane), (centre, radius): (InPlane, f64)) -> [Option<InPlane>; 2] {
+fn on_line_and_circle(point: InPlane, along: InPlane, circle: OffsetCircle) -> [Option<InPlane>; 2] {
+    let OffsetCircle { centre, radius_mm: radius } = circle;
     let to_centre = minus(centre, point);
     let (foot, distance) = (dot(to_centre, along), cross(along, to_centre).abs());
     let squared = (radius - distance) * (radius + distance);
@@ -303,7 +312,9 @@ fn on_line_and_circle((point, along): (InPlane, InPlane), (centre, radius): (InP
 }
 
 /// Where two circles cross.
-fn on_circles((one, one_mm): (InPlane, f64), (other, other_mm): (InPlane, f64)) -> [Option<InPlane>; 2] {
+fn on_circles(one: OffsetCircle, other: OffsetCircle) -> [Option<InPlane>; 2] {
+    let (OffsetCircle { centre: one, radius_mm: one_mm }, OffsetCircle { centre: other, radius_mm: other_mm }) =
+        (one, other);
     let step = minus(other, one);
     let distance = norm(step);
     let foot = 0.5 * (distance + (one_mm - other_mm) * (one_mm + other_mm) / distance);

@@ -133,12 +133,13 @@ impl RotaryAxes {
 }
 
 impl LinearAxes {
-    /// `bounds`: exclusive bounds of the absolute words.
+    /// `head`: a rotary axis moves the tool; `bounds`: exclusive bounds of the absolute words.
     pub(crate) fn new(
         machine: &dyn AnyMachine,
         policy: Policy<'_>,
         units: Units,
-        (head, bounds): (bool, &AxisUnits),
+        head: bool,
+        bounds: &AxisUnits,
     ) -> Self {
         let axes = machine.axes();
         let tool_axis = machine.tool_axis();

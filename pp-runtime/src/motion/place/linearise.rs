@@ -108,6 +108,13 @@ struct Rounding {
     axis_rad: f64,
 }
 
+/// Both ends of a block, or of the part of a path that is left.
+#[derive(Clone, Copy)]
+pub(crate) struct BlockEnds<'p> {
+    pub(crate) from: &'p AxisPosition,
+    pub(crate) to: &'p AxisPosition,
+}
+
 /// Certified deviation of a block.
 struct Certificate {
     /// Largest deviation from the motion of the CL data, rounding of the words included.
@@ -207,14 +214,16 @@ impl Linearised {
         Self { tolerance, law, from: *from, to: *to, rest: Remaining::Whole }
     }
 
-    /// The whole motion in one block, if that certifies. `seen`: the largest bounds so far.
+    /// The whole motion in one block, if that certifies within `allowed`. `seen`: the largest bounds so far.
     #[inline(always)]
     pub(crate) fn in_one_block(
         placer: &Placer,
-        (from, to): (&AxisPosition, &AxisPosition),
-        (allowed, seen): (PathTolerance, RoughDeviation),
+        ends: BlockEnds<'_>,
+        allowed: PathTolerance,
+        seen: RoughDeviation,
         law: RotationLaw,
     ) -> Option<WholeMotion> {
+        let BlockEnds { from, to } = ends;
         let certifier = Certifier { placer, allowed, in_step: law == RotationLaw::InStep };
         let rounding = certifier.rounding(from, to);
         let axis_left = allowed.axis_rad - rounding.axis_rad;
@@ -231,7 +240,7 @@ impl Linearised {
             BlockDeviation::Below { .. } => None,
             BlockDeviation::UpTo(bound) => {
                 let bound = placer.frame.bound(bound);
-                let Certificate { bound, share } = certifier.with_rounding((from, to), bound, rounding);
+                let Certificate { bound, share } = certifier.with_rounding(ends, bound, rounding);
                 (share <= 1.0).then_some(WholeMotion { tip_rate: bound.tip_rate, bound: Some(bound) })
             }
         }
@@ -267,7 +276,7 @@ impl Linearised {
 
     /// The next piece along the path; `None` if a rotation on the spot must come first.
     fn along(&mut self, certifier: &Certifier<'_>, mut path: CuttingPath) -> Result<Option<CertifiedPiece>, Fault> {
-        let ends = (&self.from, &self.to);
+        let ends = BlockEnds { from: &self.from, to: &self.to };
         let mut piece = match path.pieces {
             Pieces::Equal { count, done } => {
                 let until = f64::from(done + 1) / f64::from(count);
@@ -357,16 +366,16 @@ impl Placer {
         self.poles.axes.iter().any(|pole| pose.axis.cross(pole).norm() < UNEVEN_NEAR_POLE)
     }
 
-    /// Whether the rotary axes go evenly in a whole motion between two poses on one branch: between their words, hence
-    /// inside their limits.
-    pub(crate) fn goes_evenly(&self, (a, start): (&Pose, &RotaryWords), (b, end): (&Pose, &RotaryWords)) -> bool {
+    /// Whether the rotary axes go evenly in a whole motion between two poses on one branch: between their words, hence inside
+    /// their limits.
+    pub(crate) fn goes_evenly(&self, poses: [&Pose; 2], [start, end]: [&RotaryWords; 2]) -> bool {
         let bound = || self.machine.motion(&self.axes_of(start), &self.axes_of(end)).axis;
-        self.may_go_evenly((a, &self.all_words(start)), (b, &self.all_words(end)))
+        self.may_go_evenly(poses, [&self.all_words(start), &self.all_words(end)])
             && self.even_rad.is_some_and(|tolerance| bound() <= EVEN_SHARE * tolerance)
     }
 
     /// Whether the rotary axes may go evenly between two poses, as far as the tool axis keeps to its tolerance.
-    fn may_go_evenly(&self, (a, start): (&Pose, &[i64; MAX_AXES]), (b, end): (&Pose, &[i64; MAX_AXES])) -> bool {
+    fn may_go_evenly(&self, [a, b]: [&Pose; 2], [start, end]: [&[i64; MAX_AXES]; 2]) -> bool {
         !(self.is_near_pole(a) || self.is_near_pole(b))
             && self.rotary_travel(start, end) <= LARGEST_EVEN_ROTATION
             && !self.has_indexed_axes()
@@ -386,14 +395,14 @@ impl Certifier<'_> {
     /// One block as a piece.
     fn certify(&self, from: &AxisPosition, to: &AxisPosition) -> CertifiedPiece {
         let bound = self.placer.frame.bound(self.placer.machine.motion(&from.axes, &to.axes));
-        let Certificate { bound, share } = self.with_rounding((from, to), bound, self.rounding(from, to));
+        let Certificate { bound, share } = self.with_rounding(BlockEnds { from, to }, bound, self.rounding(from, to));
         CertifiedPiece { place: *to, bound, share }
     }
 
     /// Certified deviation of one block, of which `bound` is that without the rounding of its words.
     fn with_rounding(
         &self,
-        (from, to): (&AxisPosition, &AxisPosition),
+        BlockEnds { from, to }: BlockEnds<'_>,
         mut bound: MotionBound,
         Rounding { tip_mm: tip_off, axis_rad: axis_off }: Rounding,
     ) -> Certificate {
@@ -507,21 +516,16 @@ impl Certifier<'_> {
         };
         let even = law == RotationLaw::Even
             && branch.is_some()
-            && self.placer.may_go_evenly((&from.pose, &from.words), (&to.pose, &to.words));
+            && self.placer.may_go_evenly([&from.pose, &to.pose], [&from.words, &to.words]);
         let even = (even && whole.bound.axis <= self.allowed.axis_rad)
             .then_some(EvenRotation { start: from.words, bound: whole.bound });
         let path = CuttingPath { segment, branch, even, resolution, at: 0.0, pieces: Pieces::Graded { last: 1.0 } };
-        Ok(CuttingPath { pieces: self.pieces(&path, (from, to), whole.share)?, ..path })
+        Ok(CuttingPath { pieces: self.pieces(&path, BlockEnds { from, to }, whole.share)?, ..path })
     }
 
     /// The lengths of the pieces of a path.
     #[cold]
-    fn pieces(
-        &self,
-        path: &CuttingPath,
-        (from, to): (&AxisPosition, &AxisPosition),
-        share: f64,
-    ) -> Result<Pieces, Fault> {
+    fn pieces(&self, path: &CuttingPath, ends: BlockEnds<'_>, share: f64) -> Result<Pieces, Fault> {
         let predicted =
             |count: u32, share: f64| (f64::from(count) * share.sqrt()).ceil().min(f64::from(MOST_PIECES)) as u32;
         let (mut count, mut most) = (if share.is_finite() { predicted(1, share).max(2) } else { 2 }, None);
@@ -532,9 +536,7 @@ impl Certifier<'_> {
             if count > FEW {
                 let most = match most {
                     Some(most) => most,
-                    None => {
-                        *most.insert(self.least(path, (from, to))?.map_or(0, |least| least.saturating_mul(MOST_TIMES)))
-                    }
+                    None => *most.insert(self.least(path, ends)?.map_or(0, |least| least.saturating_mul(MOST_TIMES))),
                 };
                 if count > most {
                     // Fewer may still certify.
@@ -544,7 +546,7 @@ impl Certifier<'_> {
                     count = most;
                 }
             }
-            let worst = self.worst_of_equal(path, (from, to), count)?;
+            let worst = self.worst_of_equal(path, ends, count)?;
             if worst <= 1.0 {
                 equal = Some(count);
                 count = predicted(count, worst).max(too_few + 1).min(count - 1);
@@ -561,13 +563,13 @@ impl Certifier<'_> {
     fn worst_of_equal(
         &self,
         path: &CuttingPath,
-        (from, to): (&AxisPosition, &AxisPosition),
+        BlockEnds { from, to }: BlockEnds<'_>,
         count: u32,
     ) -> Result<f64, Fault> {
         let (mut last, mut path, mut worst) = (*from, *path, 0.0_f64);
         for done in 1..=count {
             let until = f64::from(done) / f64::from(count);
-            let place = self.point(&path, (&last, to), until)?;
+            let place = self.point(&path, BlockEnds { from: &last, to }, until)?;
             worst = worst.max(self.certify(&last, &place).share);
             if worst.is_infinite() {
                 break;
@@ -578,14 +580,14 @@ impl Certifier<'_> {
     }
 
     /// Number of the longest pieces, one after the other; `None` if one does not certify however short it is.
-    fn least(&self, path: &CuttingPath, (from, to): (&AxisPosition, &AxisPosition)) -> Result<Option<u32>, Fault> {
+    fn least(&self, path: &CuttingPath, BlockEnds { from, to }: BlockEnds<'_>) -> Result<Option<u32>, Fault> {
         let (mut last, mut path, mut stride) = (*from, *path, 0.5);
         for count in 1..MOST_PIECES {
             if path.at > 0.0 && self.certify(&last, to).share <= 1.0 {
                 return Ok(Some(count));
             }
             let found = longest(path.at, stride, path.resolution, |parameter| {
-                let place = self.between(&path, (&last, to), parameter)?;
+                let place = self.between(&path, BlockEnds { from: &last, to }, parameter)?;
                 Ok(self.certify(&last, &place))
             })?;
             let Some(piece) = found.piece else { return Ok(None) };
@@ -595,19 +597,15 @@ impl Certifier<'_> {
     }
 
     /// The next piece of graded lengths, or a part that is to be a rotation on the spot.
-    fn graded(
-        &self,
-        path: &CuttingPath,
-        (from, to): (&AxisPosition, &AxisPosition),
-        last: f64,
-    ) -> Result<GradedPart, Fault> {
+    fn graded(&self, path: &CuttingPath, ends: BlockEnds<'_>, last: f64) -> Result<GradedPart, Fault> {
+        let BlockEnds { from, to } = ends;
         let mut length = (2.0 * last).min(1.0);
         loop {
             let fits = path.at + length <= 1.0 && (path.at / length).fract() == 0.0;
             if fits {
-                let piece = self.certify(from, &self.point(path, (from, to), path.at + length)?);
+                let piece = self.certify(from, &self.point(path, ends, path.at + length)?);
                 let shortest = length <= path.resolution;
-                let after = (&piece.place, to);
+                let after = BlockEnds { from: &piece.place, to };
                 if shortest || piece.share <= 1.0 && self.grades(path, after, path.at + length, 0.5 * length)? {
                     return Ok(GradedPart { length, piece });
                 }
@@ -616,31 +614,22 @@ impl Certifier<'_> {
         }
     }
 
-    /// Whether a piece of this length may begin at a parameter, and the pieces after it need not be shorter by more
-    /// than a factor of two from one to the next.
-    fn grades(
-        &self,
-        path: &CuttingPath,
-        (from, to): (&AxisPosition, &AxisPosition),
-        at: f64,
-        length: f64,
-    ) -> Result<bool, Fault> {
+    /// Whether a piece of this length may begin at a parameter, and the pieces after it need not be shorter by more than a
+    /// factor of two from one to the next.
+    fn grades(&self, path: &CuttingPath, ends: BlockEnds<'_>, at: f64, length: f64) -> Result<bool, Fault> {
+        let BlockEnds { from, to } = ends;
         if at >= 1.0 || length <= path.resolution {
             return Ok(true);
         }
         let path = CuttingPath { at, ..*path };
-        let place = self.point(&path, (from, to), at + length)?;
-        Ok(self.certify(from, &place).share <= 1.0 && self.grades(&path, (&place, to), at + length, 0.5 * length)?)
+        let place = self.point(&path, ends, at + length)?;
+        Ok(self.certify(from, &place).share <= 1.0
+            && self.grades(&path, BlockEnds { from: &place, to }, at + length, 0.5 * length)?)
     }
 
     /// Position at a parameter of the path, which may be its end.
-    fn point(
-        &self,
-        path: &CuttingPath,
-        (from, to): (&AxisPosition, &AxisPosition),
-        parameter: f64,
-    ) -> Result<AxisPosition, Fault> {
-        if parameter < 1.0 { self.between(path, (from, to), parameter) } else { Ok(*to) }
+    fn point(&self, path: &CuttingPath, ends: BlockEnds<'_>, parameter: f64) -> Result<AxisPosition, Fault> {
+        if parameter < 1.0 { self.between(path, ends, parameter) } else { Ok(*ends.to) }
     }
 
     /// Rotary words of a solution, in the turn nearest to the axis values `near`.
@@ -661,7 +650,7 @@ impl Certifier<'_> {
     fn between(
         &self,
         path: &CuttingPath,
-        (from, to): (&AxisPosition, &AxisPosition),
+        BlockEnds { from, to }: BlockEnds<'_>,
         parameter: f64,
     ) -> Result<AxisPosition, Fault> {
         let pose = path.segment.at(parameter);

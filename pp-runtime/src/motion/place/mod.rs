@@ -37,8 +37,8 @@ use crate::program::Units;
 use crate::set_up::LengthMode;
 
 pub(crate) use entry::TipEntry;
-pub(crate) use frame::{TipAbility, TipStart};
-pub(crate) use linearise::{Linearised, PathTolerance, RotationLaw, WholeMotion};
+pub use frame::{TipAbility, TipStart};
+pub(crate) use linearise::{BlockEnds, Linearised, PathTolerance, RotationLaw, WholeMotion};
 pub(crate) use refusal::limits_text;
 pub(crate) use suited::{UsableModes, unsuited};
 pub(crate) use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
@@ -152,7 +152,7 @@ impl Placer {
         let mut placer = Self {
             part_origin: policy.set_up.part_origin.into(),
             poles: Poles::new(&*machine, policy, &rotary.axes, at_pole_rad),
-            linear: LinearAxes::new(&*machine, policy, units, (head, &bounds)),
+            linear: LinearAxes::new(&*machine, policy, units, head, &bounds),
             speeds: AxisSpeeds {
                 timed: options.feed.keep_speeds && speeds.iter().any(Option::is_some),
                 per_axis: speeds,

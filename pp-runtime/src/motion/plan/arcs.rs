@@ -97,6 +97,14 @@ struct ArcInProgram {
     lean_mm: f64,
 }
 
+/// Start of a piece of an arc.
+#[derive(Clone, Copy)]
+struct PieceStart<'p> {
+    place: &'p AxisPosition,
+    /// Distance of the tool from the start of the words of the piece, in units.
+    drift: [f64; 2],
+}
+
 /// A piece of an arc in words.
 struct ArcPiece {
     circle: Circle,
@@ -205,7 +213,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         for cuts in divisions {
             if let Some(last) = self.last_piece(&in_program, cuts, end)? {
                 self.check_travel()?;
-                return self.write_pieces(&in_program, cuts, (&last, end)).map(Ok);
+                return self.write_pieces(&in_program, cuts, &last, end).map(Ok);
             }
         }
         Ok(Err(NoArc::Rounding))
@@ -267,8 +275,9 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
     }
 
     /// Start of a piece: the end of the one before it, or the present place.
-    fn end_of<'s>(&'s self, before: Option<&'s (AxisPosition, [f64; 2])>) -> (&'s AxisPosition, [f64; 2]) {
-        before.map_or_else(|| (self.planner.mover.here(), self.start_drift()), |(place, drift)| (place, *drift))
+    fn end_of<'s>(&'s self, before: Option<&'s (AxisPosition, [f64; 2])>) -> PieceStart<'s> {
+        let here = || PieceStart { place: self.planner.mover.here(), drift: self.start_drift() };
+        before.map_or_else(here, |(place, drift)| PieceStart { place, drift: *drift })
     }
 
     /// Distance of the tool from its words, after an arc by its angle.
@@ -277,17 +286,16 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         self.planner.arc_end.filter(|(words, _)| *words == here).map_or([0.0; 2], |(_, drift)| drift)
     }
 
-    /// A piece, `share` of the arc, if it stays within tolerance. `drift`: distance of its start from the start of its
-    /// words, in units.
+    /// A piece, `share` of the arc, if it stays within tolerance.
     fn piece(
         &self,
         in_program: &ArcInProgram,
         share: f64,
-        (from, drift): (&AxisPosition, [f64; 2]),
+        from: PieceStart<'_>,
         to: &AxisPosition,
     ) -> Option<ArcPiece> {
-        let circle = self.circle(in_program, share, (from, drift), to)?;
-        Some(ArcPiece { drift: self.drift(&circle, drift, to), circle })
+        let circle = self.circle(in_program, share, from, to)?;
+        Some(ArcPiece { drift: self.drift(&circle, from.drift, to), circle })
     }
 
     /// Distance between the end of a piece and the end of its words, in units.
@@ -305,16 +313,10 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         self.planner.mover.shifted(self.round.tip(part), &here)
     }
 
-    /// The words of one piece, `share` of the arc, if they stay within tolerance. `drift`: distance of its start from
-    /// the start of its words, in units.
-    fn circle(
-        &self,
-        in_program: &ArcInProgram,
-        share: f64,
-        (from, drift): (&AxisPosition, [f64; 2]),
-        to: &AxisPosition,
-    ) -> Option<Circle> {
+    /// The words of one piece, `share` of the arc, if they stay within tolerance.
+    fn circle(&self, in_program: &ArcInProgram, share: f64, from: PieceStart<'_>, to: &AxisPosition) -> Option<Circle> {
         let (placer, tolerance) = (self.planner.mover.placer(), self.planner.mover.tolerance().tip_mm);
+        let PieceStart { place: from, drift } = from;
         let (from, to) = (placer.written(from), placer.written(to));
         let ArcInProgram { plane, chain, nominal, lean_mm } = *in_program;
         let [first, second, perpendicular] = plane.axes().map(|axis| chain[axis]);
@@ -370,42 +372,31 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         Ok(())
     }
 
-    fn write_pieces(
-        &mut self,
-        in_program: &ArcInProgram,
-        cuts: Cuts,
-        (last, end): (&ArcPiece, &AxisPosition),
-    ) -> Planned {
+    /// Writes the pieces of the arc. `last`: the last of them; `end`: its end.
+    fn write_pieces(&mut self, in_program: &ArcInProgram, cuts: Cuts, last: &ArcPiece, end: &AxisPosition) -> Planned {
         let rate = self.planner.rate(self.arc.feed)?;
         self.planner.mover.output_mut().set_reason(if cuts.pieces > 1 {
             BlockReason::SplitArc
         } else {
             BlockReason::Record
         });
-        let mask = in_program.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
         let mut drift = self.start_drift();
         for number in 1..cuts.pieces {
             let (share, to) = (cuts.share(number), self.piece_end(cuts.end(number))?);
-            let piece = self.piece(in_program, share, (self.planner.mover.here(), drift), &to);
+            let piece = self.piece(in_program, share, PieceStart { place: self.planner.mover.here(), drift }, &to);
             let piece = piece.ok_or_else(cannot_be_written)?;
-            self.write_piece(&piece.circle, &to, (share, drift), (rate, mask))?;
+            self.write_piece(&piece.circle, &to, share, drift, rate)?;
             self.planner.mover.position_mut().go_to(&to);
             drift = piece.drift;
         }
-        self.write_piece(&last.circle, end, (cuts.share(cuts.pieces), drift), (rate, mask))?;
+        self.write_piece(&last.circle, end, cuts.share(cuts.pieces), drift, rate)?;
         self.planner.arc_end = Some((self.planner.mover.placer().written(end), last.drift));
         Ok(())
     }
 
-    /// Writes a piece, `share` of the arc, at `rate` mm/min with the words of the axes in `mask`. `drift`: distance of
-    /// its start from the start of its words, in units.
-    fn write_piece(
-        &mut self,
-        circle: &Circle,
-        to: &AxisPosition,
-        (share, drift): (f64, [f64; 2]),
-        (rate, mask): (f64, u16),
-    ) -> Planned {
+    /// Writes a piece, `share` of the arc, at `rate` mm/min with the words of the axes of its chain. `drift`: distance of its
+    /// start from the start of its words, in units.
+    fn write_piece(&mut self, circle: &Circle, to: &AxisPosition, share: f64, drift: [f64; 2], rate: f64) -> Planned {
         let length = self.round.length() * share;
         let mover = &mut self.planner.mover;
         let placer = mover.placer();
@@ -417,6 +408,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         let pace = mover.feeds().pace(rate, FeedMotion::linear(length, axis_time_min))?;
         let FeedWord::PerMinute(feed) = pace.feed else { return Err(cannot_be_written().into()) };
         mover.output_mut().feed(&pace, None);
+        let mask = circle.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
         let words = AxisWords { vector: None, ..mover.placer().words(to, mask) };
         mover.write_motion(&Step::Arc { words, circle, feed }, to)?;
         let (cutter, site) = self.planner.compensation();

@@ -195,7 +195,7 @@ impl Feeds {
         let least_min = larger(motion.axis_time_min, digits_min);
         let needed_min = larger(larger(path / self.largest_mm_per_min, least_min), programmed_min);
         let mut time_min = larger(needed_min, self.shortest_block_min);
-        let per_minute = |value: f64| self.per_minute_word(feed, value, (time_min, needed_min));
+        let per_minute = |value: f64| self.per_minute_word(feed, value, time_min, needed_min);
         let (feed, word) = match self.inverse_per_min {
             _ if plain => {
                 // A motion of nothing but rounding counts as one unit of the words.
@@ -232,9 +232,9 @@ impl Feeds {
         Ok(Pace { feed, time_min, slowed_min: time_min - programmed_min })
     }
 
-    /// F of this value per minute. A block that is slowed down from the second of two times to the first, for
-    /// `shortest_block` alone, has the smallest F at least.
-    fn per_minute_word(&self, feed: f64, value: f64, (time_min, needed_min): (f64, f64)) -> Result<Decimal, Fault> {
+    /// F of this value per minute. A block that is slowed down from `needed_min` to `time_min`, for `shortest_block` alone, has
+    /// the smallest F at least.
+    fn per_minute_word(&self, feed: f64, value: f64, time_min: f64, needed_min: f64) -> Result<Decimal, Fault> {
         let word = Decimal::fixed(value, self.feed_decimals).map_err(|_| too_large(feed, self.units))?;
         let smallest = Decimal { units: 1, ..word };
         let slowed = word.units <= 0 && value * time_min / needed_min >= smallest.value();

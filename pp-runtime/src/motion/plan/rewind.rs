@@ -16,7 +16,7 @@ use crate::motion::step::Sink;
 pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: RotaryWords) -> Planned {
     let why = reason(planner);
     let how = planner.policy.options.retract.rewind;
-    rewind_as(planner, (motion, words), how, &why)
+    rewind_as(planner, motion, words, how, &why)
 }
 
 /// Rotates the rotary axes out of the part where they would rotate farther at the pole, with the tool in the cut, than
@@ -38,7 +38,7 @@ pub(crate) fn rotate_out_of_cut<S: Sink>(
     let (angle, most) = (angle.to_degrees(), most.to_degrees());
     let why =
         format!("at the pole {letter} has to rotate by {angle:.3}°, more than `course.rotation_at_pole` = {most}°");
-    rewind_as(planner, (motion, words), Rewind::Leave, &why)?;
+    rewind_as(planner, motion, words, Rewind::Leave, &why)?;
     Ok(true)
 }
 
@@ -46,7 +46,8 @@ pub(crate) fn rotate_out_of_cut<S: Sink>(
 #[cold]
 fn rewind_as<S: Sink>(
     planner: &mut Planner<'_, S>,
-    (motion, words): (&Move, RotaryWords),
+    motion: &Move,
+    words: RotaryWords,
     how: Rewind,
     why: &str,
 ) -> Planned {

@@ -267,6 +267,17 @@ impl Parts {
     }
 }
 
+/// Limits of a comparison, mm.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ComparisonLimits {
+    /// Depth from which there is a gouge.
+    pub(crate) gouge_mm: f64,
+    /// Thickness from which there is rest material.
+    pub(crate) rest_mm: f64,
+    /// Material that is not thicker may be none.
+    pub(crate) thin_mm: f64,
+}
+
 impl Design {
     /// Number of triangles.
     pub(crate) fn triangles(&self) -> usize {
@@ -283,14 +294,14 @@ impl Design {
         Self { mesh, surface }
     }
 
-    /// Compares a stock. `gouge` and `rest`: tolerances to either side, mm; material that is not thicker than `thin`
-    /// may be none. `allowance`: what a cut leaves besides, mm.
+    /// Compares a stock. `allowance`: what a cut leaves besides, mm.
     pub(crate) fn compare(
         &self,
         stock: &TriDexel,
-        (gouge, rest, thin): (f64, f64, f64),
+        limits: ComparisonLimits,
         allowance: &dyn Fn(Origin) -> f64,
     ) -> DesignComparison {
+        let ComparisonLimits { gouge_mm: gouge, rest_mm: rest, thin_mm: thin } = limits;
         let ([low, high], [from, to]) = (stock.corners(), self.mesh.corners());
         let exceeds = (0..3).map(|axis| (low[axis] - from[axis]).max(to[axis] - high[axis])).fold(0.0, f64::max);
         let (mut histogram, mut uneven) = ([0; CLASSES], 0);

@@ -8,5 +8,5 @@ mod nearest;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use comparison::{Design, DesignComparison, Deviations, Origin, Region, limits_of};
+pub(crate) use comparison::{ComparisonLimits, Design, DesignComparison, Deviations, Origin, Region, limits_of};
 pub(crate) use nearest::TriangleSurface;

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::comparison::{Design, DesignComparison, Origin, limits_of};
+use super::comparison::{ComparisonLimits, Design, DesignComparison, Origin, limits_of};
 use super::nearest::TriangleSurface;
 use crate::simulate::bodies::Mesh;
 use crate::simulate::removal::{Cutter, SweptPiece, TriDexel};
@@ -10,7 +10,8 @@ use crate::simulate::testing::{Random, barrel, box_mesh, cut_by_two_threads, upr
 
 /// A comparison without allowances.
 fn against(design: &Design, stock: &TriDexel, tolerances: (f64, f64)) -> DesignComparison {
-    design.compare(stock, (tolerances.0, tolerances.1, 0.0), &|_| 0.0)
+    let limits = ComparisonLimits { gouge_mm: tolerances.0, rest_mm: tolerances.1, thin_mm: 0.0 };
+    design.compare(stock, limits, &|_| 0.0)
 }
 
 /// A block on Z0 with another one on it, as one closed body; the upper one is narrower on all sides.

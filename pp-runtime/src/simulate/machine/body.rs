@@ -51,8 +51,8 @@ impl Body {
         let Some(axis) = &self.axis else { return ([self.link; 2], 0.0) };
         let mut added_mm = 0.0;
         let mut is_coaxial = |joint: usize| {
-            let ball = (self.ball.centre, self.ball.radius);
-            let away = links.centre_line(joint).map(|line| axis.away_from(&line, ball));
+            let Ball { centre, radius } = self.ball;
+            let away = links.centre_line(joint).map(|line| axis.away_from(&line, centre, radius));
             let away = away.filter(|away| *away <= COAXIAL_MM);
             added_mm += 2.0 * away.unwrap_or(0.0);
             away.is_some()

@@ -112,6 +112,15 @@ pub(crate) struct Clearances {
     pub(crate) unknown_length: BTreeMap<u32, u64>,
 }
 
+/// A position at which a distance is measured.
+#[derive(Debug, Clone, Copy)]
+struct MeasuredAt<'v> {
+    /// Axis values of the program.
+    axes: &'v AxisValues,
+    /// Axis values of the links.
+    values: &'v AxisValues,
+}
+
 /// Outcome of a measurement for a part of a motion.
 enum Verdict {
     /// Nothing more is to be found in it.
@@ -319,7 +328,13 @@ impl Clearances {
         if let Some(ranges) = ranges {
             let values = self.values(course, &middle.1);
             open.retain(|pair| {
-                let verdict = self.measure(course, *pair, (&middle.1, &values), &ranges, RESOLUTION_MM);
+                let verdict = self.measure(
+                    course,
+                    *pair,
+                    MeasuredAt { axes: &middle.1, values: &values },
+                    &ranges,
+                    RESOLUTION_MM,
+                );
                 matches!(verdict, Verdict::Open)
             });
             if open.is_empty() {
@@ -350,7 +365,7 @@ impl Clearances {
             let offsets = self.values(course, &[0.0; MAX_AXES]);
             let axes: AxisValues =
                 std::array::from_fn(|index| values[index] - if self.is_linear(index) { offsets[index] } else { 0.0 });
-            match self.measure(course, pair, (&axes, &values), &cell, BOX_RESOLUTION_MM) {
+            match self.measure(course, pair, MeasuredAt { axes: &axes, values: &values }, &cell, BOX_RESOLUTION_MM) {
                 Verdict::Done => {}
                 Verdict::Open if count > MOST_CELLS => {
                     self.not_certified += 1;
@@ -383,7 +398,7 @@ impl Clearances {
         &mut self,
         course: &mut ConstantMotion<'_>,
         pair: usize,
-        (axes, values): (&AxisValues, &AxisValues),
+        MeasuredAt { axes, values }: MeasuredAt<'_>,
         ranges: &AxisRanges,
         resolution: f64,
     ) -> Verdict {

@@ -79,11 +79,23 @@ pub(crate) fn gap(one: &Body, two: &Body, place: &Isometry3<f64>, enough_mm: f64
     if fresh && is_inside(one, two, place) {
         return BodyGap::Meets(point(place.transform_point(vector(&two.ball.centre.into()))));
     }
-    surfaces(one, two, place, (enough_mm, least, off))
+    surfaces(one, two, place, GapBounds { enough_mm, least_mm: least, off_mm: off })
+}
+
+/// Bounds with which the surfaces of two bodies are compared, mm.
+#[derive(Debug, Clone, Copy)]
+struct GapBounds {
+    /// Distance beyond which it need not be known.
+    enough_mm: f64,
+    /// Lower bound that is known already.
+    least_mm: f64,
+    /// Largest error of a distance, with the tolerances of both bodies.
+    off_mm: f64,
 }
 
 /// The farthest of the pairs of shapes.
-fn surfaces(one: &Body, two: &Body, place: &Pose, (enough_mm, least, off): (f64, f64, f64)) -> BodyGap {
+fn surfaces(one: &Body, two: &Body, place: &Pose, bounds: GapBounds) -> BodyGap {
+    let GapBounds { enough_mm, least_mm: least, off_mm: off } = bounds;
     let mut farthest: Option<BodyGap> = None;
     for first in shapes(one) {
         for second in shapes(two) {

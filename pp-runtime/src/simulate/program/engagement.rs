@@ -65,7 +65,7 @@ impl Default for Engagement {
 
 impl Engagement {
     /// Adds a part of a feed motion.
-    pub(super) fn add(&mut self, (operation, tool): (u64, u32), line: u64, minutes: f64, volume_mm3: f64) {
+    pub(super) fn add(&mut self, operation: u64, tool: u32, line: u64, minutes: f64, volume_mm3: f64) {
         self.operations.entry((operation, tool)).or_default().add(line, minutes, volume_mm3);
         // Evenly over its time.
         let end = self.time_min + minutes;
@@ -124,7 +124,7 @@ mod tests {
         // 30 minutes of air and cuts in turn, in blocks of a tenth of a second.
         for block in 0..18_000_u64 {
             let cuts = block / 3000 % 2 == 1;
-            engagement.add((1, 7), block, 1.0 / 600.0, if cuts { 2.0 } else { 0.0 });
+            engagement.add(1, 7, block, 1.0 / 600.0, if cuts { 2.0 } else { 0.0 });
         }
         assert!(engagement.steps_mm3.len() <= MOST_STEPS && engagement.steps_mm3.len() > MOST_STEPS / 2);
         let total: f64 = engagement.steps_mm3.iter().sum();

@@ -73,7 +73,8 @@ impl<'a> Machining<'a> {
     pub(crate) fn new(
         policy: &'a CheckPolicy,
         tools: ToolBodies,
-        (stock, places): (TriDexel, PartPlaces),
+        stock: TriDexel,
+        places: PartPlaces,
         threads: usize,
     ) -> Self {
         let outcome = SimulationOutcome::new(&tools);
@@ -147,8 +148,8 @@ impl<'a> Machining<'a> {
         }
         for (contact, owner) in contacts.iter().zip(&self.owners) {
             if owner.what == Contacting::Cut {
-                let of = (owner.operation, owner.tool);
-                self.outcome.engagement.add(of, owner.line, owner.minutes, contact.volume());
+                let Owner { operation, tool, line, minutes, .. } = *owner;
+                self.outcome.engagement.add(operation, tool, line, minutes, contact.volume());
             } else if contact.longest > 0.0 {
                 self.outcome.add(FoundContact {
                     what: What::Stock(owner.what),
@@ -213,7 +214,7 @@ impl<'a> Machining<'a> {
         let minutes = if motion.rapid { 0.0 } else { motion.minutes(length_mm(motion, places)).unwrap_or(0.0) };
         for pair in places.windows(2) {
             divide(motion, reach, [pair[0], pair[1]], MOST_HALVINGS, &mut |ends, deviation_mm| {
-                self.part(motion, &body, ends, (deviation_mm, minutes));
+                self.part(motion, &body, ends, deviation_mm, minutes);
             });
         }
     }
@@ -229,13 +230,14 @@ impl<'a> Machining<'a> {
         (0..3).all(|axis| tip[axis] + distance >= low[axis] && tip[axis] - distance <= high[axis])
     }
 
-    /// A straight part of a motion, with its deviation.
+    /// A straight part of a motion, with its deviation. `minutes`: time of the whole motion.
     fn part(
         &mut self,
         motion: &ExecutedMotion<'_>,
         body: &ToolBody,
         [from, to]: Ends<'_>,
-        (deviation_mm, minutes): (f64, f64),
+        deviation_mm: f64,
+        minutes: f64,
     ) {
         self.outcome.deviation_mm = self.outcome.deviation_mm.max(deviation_mm);
         let state = &motion.executed.block.state;

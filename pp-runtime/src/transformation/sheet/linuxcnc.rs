@@ -56,7 +56,9 @@ static MODULES: [KinematicsModule; 4] = [
             Direction { letter: 'C', coordinate: 2, hand: 1.0 },
         ],
         in_head: false,
-        pins: |config, tilt, rotary| tilting_table(config, tilt, rotary, ("y-offset", 1, "x-offset")),
+        pins: |config, tilt, rotary| {
+            tilting_table(config, tilt, rotary, TiltPins { across: "y-offset", component: 1, unused: "x-offset" })
+        },
     },
     KinematicsModule {
         name: "xyzbc-trt-kins",
@@ -67,7 +69,9 @@ static MODULES: [KinematicsModule; 4] = [
             Direction { letter: 'C', coordinate: 2, hand: 1.0 },
         ],
         in_head: false,
-        pins: |config, tilt, rotary| tilting_table(config, tilt, rotary, ("x-offset", 0, "y-offset")),
+        pins: |config, tilt, rotary| {
+            tilting_table(config, tilt, rotary, TiltPins { across: "x-offset", component: 0, unused: "y-offset" })
+        },
     },
     KinematicsModule {
         name: "xyzab_tdr_kins",
@@ -256,14 +260,19 @@ fn lines(module: &KinematicsModule) -> Vec<Group> {
     ]
 }
 
-/// Pins of a tilting table: the centre line of C, and from there that of the axis that tilts it. `across`: pin and
-/// component of that distance, and the pin that the module does not use.
-fn tilting_table(
-    config: &Config,
-    tilt: &RotaryAtZero,
-    rotary: &RotaryAtZero,
-    (across, component, unused): (&'static str, usize, &'static str),
-) -> Vec<Group> {
+/// Pins of a tilting table that its axes decide.
+struct TiltPins {
+    /// Pin of the distance between the centre lines of both axes.
+    across: &'static str,
+    /// Component of that distance: 0 for X, 1 for Y.
+    component: usize,
+    /// The pin that the module does not use.
+    unused: &'static str,
+}
+
+/// Pins of a tilting table: the centre line of C, and from there that of the axis that tilts it.
+fn tilting_table(config: &Config, tilt: &RotaryAtZero, rotary: &RotaryAtZero, pins: TiltPins) -> Vec<Group> {
+    let TiltPins { across, component, unused } = pins;
     let (of_tilt, of_rotary) = (machine_coordinates(config, &tilt.point), machine_coordinates(config, &rotary.point));
     let offset = tilt.point[component] - rotary.point[component];
     let letter = tilt.letter;

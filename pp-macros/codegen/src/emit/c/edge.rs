@@ -14,7 +14,8 @@ pub(super) fn edge(model: &Model, solved: &Solved, two: &TwoRotaries, code: &mut
     let Edge { second, first, first_squared, reached_squared, along, .. } = two.edge;
     let wanted =
         [two.second.capacity, two.second.root_squared, two.second.height, two.second.rim, two.first.sine_squared];
-    let reached = [second.0, second.1, first.0, first.1, first_squared, reached_squared, along.0, along.1];
+    let reached =
+        [second.sine, second.cosine, first.sine, first.cosine, first_squared, reached_squared, along.0, along.1];
     let outputs: Vec<Id> = wanted.into_iter().chain(reached).collect();
     let mut body = Body::in_c(&solved.graph, &outputs);
     let used = body.inputs(&outputs);

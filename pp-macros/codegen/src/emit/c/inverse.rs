@@ -10,7 +10,7 @@ use crate::emit::inputs::inputs;
 use crate::emit::inverse::{can_be_free, needs_pole_test};
 use crate::model::Model;
 use crate::solve::{AngleRelation, OneRotary, Orientation, Solved, TwoRotaries};
-use crate::symbolic::Id;
+use crate::symbolic::{Id, SineCosine};
 
 /// Largest difference of the square of a unit vector from 1.
 const UNIT_SQUARED: &str = "1e-6";
@@ -62,7 +62,7 @@ fn fixed(model: &Model, solved: &Solved, deviation: Id, code: &mut Code) {
 }
 
 fn single(model: &Model, solved: &Solved, one: &OneRotary, code: &mut Code) {
-    let outputs = [one.deviation, one.word.0, one.word.1, one.length, one.length_claim];
+    let outputs = [one.deviation, one.word.sine, one.word.cosine, one.length, one.length_claim];
     let mut body = Body::in_c(&solved.graph, &outputs);
     let used = body.inputs(&outputs);
     code.unused(&["m", "held"]);
@@ -75,7 +75,7 @@ fn single(model: &Model, solved: &Solved, one: &OneRotary, code: &mut Code) {
     within_reach(model, &mut body, one.deviation, code);
     code.statements(&body.statements(&outputs));
     let (rotary, [sine, cosine, length]) =
-        (one.rotary, [one.word.0, one.word.1, one.length].map(|node| body.expression(node)));
+        (one.rotary, [one.word.sine, one.word.cosine, one.length].map(|node| body.expression(node)));
     if can_be_free(solved, one) {
         code.line(format!("const int singular = !({length} >= {SINGULAR_SINE});"));
         code.line(format!("if (singular && !isfinite(held[{rotary}])) return 0;"));
@@ -101,7 +101,7 @@ fn within_reach(model: &Model, body: &mut Body<'_>, deviation: Id, code: &mut Co
 
 fn pair(model: &Model, solved: &Solved, two: &TwoRotaries, code: &mut Code) {
     let guarded = [two.second.root, two.first.sine_squared, two.second.capacity];
-    let words = two.branches.iter().flat_map(|branch| branch.words.map(|(sine, cosine)| [sine, cosine]).concat());
+    let words = two.branches.iter().flat_map(|branch| branch.words.map(SineCosine::nodes).concat());
     let outputs: Vec<Id> = guarded.into_iter().chain(words).collect();
     let mut body = Body::in_c(&solved.graph, &outputs);
     let used = body.inputs(&outputs);
@@ -125,8 +125,7 @@ fn pair(model: &Model, solved: &Solved, two: &TwoRotaries, code: &mut Code) {
         for (number, &axis) in two.rotaries.iter().enumerate() {
             let letter = model.axes[axis].letter.to_ascii_lowercase();
             let (name, first) = (format!("angle_{letter}_{}", index + 1), format!("angle_{letter}_1"));
-            let (sine, cosine) = solution.words[number];
-            let sin_cos = [sine, cosine].map(|node| body.expression(node));
+            let sin_cos = solution.words[number].nodes().map(|node| body.expression(node));
             let value = match solution.angles[number] {
                 AngleRelation::Own => format!("{}({}, {})", named("angle"), sin_cos[0], sin_cos[1]),
                 AngleRelation::Same => first,

@@ -52,7 +52,8 @@ fn statements(model: &Model, solved: &Solved, two: &TwoRotaries, wanted: Wanted)
     let Edge { second, first, first_squared, reached_squared, along, .. } = two.edge;
     let needed =
         [two.second.capacity, two.second.root_squared, two.second.height, two.second.rim, two.first.sine_squared];
-    let reached = [second.0, second.1, first.0, first.1, first_squared, reached_squared, along.0, along.1];
+    let reached =
+        [second.sine, second.cosine, first.sine, first.cosine, first_squared, reached_squared, along.0, along.1];
     let outputs: Vec<Id> = needed.into_iter().chain(reached).collect();
     let mut body = Body::new(&solved.graph, &outputs);
     let prelude = prelude(model, &body.inputs(&outputs), inverse_variables());
@@ -62,7 +63,7 @@ fn statements(model: &Model, solved: &Solved, two: &TwoRotaries, wanted: Wanted)
     let onto_the_rim = onto_the_rim(&body, two);
     let deviation = deviation(&body, two);
     let first_angle = first_angle(&body, two, wanted);
-    let (sine, cosine) = (body.tokens(second.0), body.tokens(second.1));
+    let (sine, cosine) = (body.tokens(second.sine), body.tokens(second.cosine));
     let [first, second] = two.rotaries;
     let solution = SolutionTokens {
         turns: &[(first, quote!(first)), (second, quote!(second))],
@@ -131,7 +132,7 @@ fn deviation(body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
 fn first_angle(body: &Body<'_>, two: &TwoRotaries, wanted: Wanted) -> TokenStream {
     let rotary = two.rotaries[0];
     let [sine_squared, first_squared, sine, cosine] =
-        [two.first.sine_squared, two.edge.first_squared, two.edge.first.0, two.edge.first.1]
+        [two.first.sine_squared, two.edge.first_squared, two.edge.first.sine, two.edge.first.cosine]
             .map(|node| body.tokens(node));
     let first = (wanted == Wanted::AllAxes)
         .then(|| quote!(let first = if singular { math::sin_cos(held[#rotary]) } else { direction };));

@@ -10,12 +10,12 @@ use crate::emit::body::{Body, lets};
 use crate::emit::inputs::prelude;
 use crate::model::{AxisId, Model};
 use crate::solve::{AngleRelation, Branch, Solved, TwoRotaries};
-use crate::symbolic::Id;
+use crate::symbolic::{Id, SineCosine};
 
 /// Both branches, or the cold path.
 pub(crate) fn pair(model: &Model, solved: &Solved, two: &TwoRotaries, wanted: Wanted) -> TokenStream {
     let guarded = [two.second.root, two.first.sine_squared, two.second.capacity];
-    let words = |branch: &Branch| branch.words.map(|(sine, cosine)| [sine, cosine]).concat();
+    let words = |branch: &Branch| branch.words.map(SineCosine::nodes).concat();
     let outputs: Vec<Id> = guarded.into_iter().chain(two.branches.iter().flat_map(words)).collect();
     let mut body = Body::new(&solved.graph, &outputs);
     let prelude = prelude(model, &body.inputs(&outputs), inverse_variables());
@@ -24,7 +24,8 @@ pub(crate) fn pair(model: &Model, solved: &Solved, two: &TwoRotaries, wanted: Wa
     let finite = finite(model, wanted);
     let statements = lets(&body.statements(&outputs));
     let angles = angles(model, &body, two);
-    let solutions = (0..2).map(|branch| solution((model, solved), &body, two, branch, wanted));
+    let tokens = PairTokens { model, solved, body: &body, two, wanted };
+    let solutions = (0..2).map(|branch| tokens.solution(branch));
     let at_the_edge = match wanted {
         Wanted::AllAxes => quote!(self.inverse_at_the_edge(pose, held)),
         Wanted::RotaryAxes => quote!(self.rotary_axes_at_the_edge(axis, held)),
@@ -62,8 +63,8 @@ fn angles(model: &Model, body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     let own = all().filter(|&(branch, rotary)| is_own(branch, rotary));
     let (names, turns): (Vec<_>, Vec<_>) = own
         .map(|(branch, rotary)| {
-            let (sine, cosine) = two.branches[branch].words[rotary];
-            let (sine, cosine) = (body.tokens(sine), body.tokens(cosine));
+            let word = two.branches[branch].words[rotary];
+            let (sine, cosine) = (body.tokens(word.sine), body.tokens(word.cosine));
             (name(branch, rotary), quote!((#sine, #cosine)))
         })
         .unzip();
@@ -84,32 +85,39 @@ fn angles(model: &Model, body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     }
 }
 
-fn solution(
-    (model, solved): (&Model, &Solved),
-    body: &Body<'_>,
-    two: &TwoRotaries,
-    branch: usize,
+/// Machine, nodes and names from which the solutions of both branches are written.
+struct PairTokens<'a> {
+    model: &'a Model,
+    solved: &'a Solved,
+    body: &'a Body<'a>,
+    two: &'a TwoRotaries,
     wanted: Wanted,
-) -> TokenStream {
-    let turns = two.branches[branch].words.map(|(sine, cosine)| {
-        let (sine, cosine) = (body.tokens(sine), body.tokens(cosine));
-        quote!((#sine, #cosine))
-    });
-    let angles = [0, 1].map(|rotary| {
-        let name = angle_name(model, two, rotary, branch);
-        quote!(#name)
-    });
-    let of_rotaries =
-        |tokens: [TokenStream; 2]| -> Vec<(AxisId, TokenStream)> { two.rotaries.into_iter().zip(tokens).collect() };
-    let name = if branch == 0 { quote!(First) } else { quote!(Second) };
-    let solution = SolutionTokens {
-        turns: &of_rotaries(turns),
-        angles: &of_rotaries(angles),
-        branch: name,
-        singular: quote!(false),
-        deviation: quote!(0.0),
-    };
-    solution.tokens(model, solved, wanted)
+}
+
+impl PairTokens<'_> {
+    /// The solution of a branch.
+    fn solution(&self, branch: usize) -> TokenStream {
+        let Self { model, solved, body, two, wanted } = *self;
+        let turns = two.branches[branch].words.map(|word| {
+            let (sine, cosine) = (body.tokens(word.sine), body.tokens(word.cosine));
+            quote!((#sine, #cosine))
+        });
+        let angles = [0, 1].map(|rotary| {
+            let name = angle_name(model, two, rotary, branch);
+            quote!(#name)
+        });
+        let of_rotaries =
+            |tokens: [TokenStream; 2]| -> Vec<(AxisId, TokenStream)> { two.rotaries.into_iter().zip(tokens).collect() };
+        let name = if branch == 0 { quote!(First) } else { quote!(Second) };
+        let solution = SolutionTokens {
+            turns: &of_rotaries(turns),
+            angles: &of_rotaries(angles),
+            branch: name,
+            singular: quote!(false),
+            deviation: quote!(0.0),
+        };
+        solution.tokens(model, solved, wanted)
+    }
 }
 
 /// `angle_c_1`

@@ -85,16 +85,16 @@ fn cone(
     let machine = &model.name;
     let letter = model.axes[rotary].letter;
     let mut outputs = vec![];
-    for (sine, cosine) in [tilt.wanted, tilt.between, tilt.tool] {
-        outputs.extend([sine, cosine]);
+    for angle in [tilt.wanted, tilt.between, tilt.tool] {
+        outputs.extend(angle.nodes());
     }
     outputs.extend(tilt.direction);
     outputs.extend(capacity.map(|(node, ..)| node));
     let mut body = Body::new(&solved.graph, &outputs);
     let prelude = prelude(model, &body.inputs(&outputs), inverse_variables());
     let statements = lets(&body.statements(&outputs));
-    let [wanted, between, tool] = [tilt.wanted, tilt.between, tilt.tool].map(|(sine, cosine)| {
-        let (sine, cosine) = (body.tokens(sine), body.tokens(cosine));
+    let [wanted, between, tool] = [tilt.wanted, tilt.between, tilt.tool].map(|angle| {
+        let (sine, cosine) = (body.tokens(angle.sine), body.tokens(angle.cosine));
         quote!(math::atan2(#sine, #cosine))
     });
     let direction = tilt.direction.map(|node| body.tokens(node));

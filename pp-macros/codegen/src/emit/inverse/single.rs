@@ -29,7 +29,7 @@ pub(crate) fn fixed(model: &Model, solved: &Solved, deviation: Id, wanted: Wante
 
 /// One solved rotary axis.
 pub(crate) fn one(model: &Model, solved: &Solved, one: &OneRotary, wanted: Wanted) -> TokenStream {
-    let outputs = [one.deviation, one.word.0, one.word.1, one.length, one.length_claim];
+    let outputs = [one.deviation, one.word.sine, one.word.cosine, one.length, one.length_claim];
     let mut body = Body::new(&solved.graph, &outputs);
     let prelude = prelude(model, &body.inputs(&outputs), inverse_variables());
     let can_tilt = can_tilt(solved, &mut body, one);
@@ -85,7 +85,7 @@ fn within_reach(model: &Model, body: &mut Body<'_>, deviation: Id, wanted: Wante
 
 /// `first` and `value`, the (sine, cosine) and the angle; and whether it is singular.
 fn angle(solved: &Solved, body: &Body<'_>, one: &OneRotary, wanted: Wanted) -> (TokenStream, TokenStream) {
-    let (sine, cosine) = (body.tokens(one.word.0), body.tokens(one.word.1));
+    let (sine, cosine) = (body.tokens(one.word.sine), body.tokens(one.word.cosine));
     if !can_be_free(solved, one) {
         let first = (wanted == Wanted::AllAxes).then(|| quote!(let first = (#sine, #cosine);));
         return (quote!(#first let value = math::angle(#sine, #cosine);), quote!(false));

@@ -10,7 +10,7 @@ use super::tilt::{Tilt, in_workpiece};
 use crate::model::AxisId;
 use crate::solve::derivation::Derivation;
 use crate::solve::refusal::{PARALLEL_SINE_SQUARED, Refusal};
-use crate::symbolic::{Id, Poly, Symbol, TermVector, nodes};
+use crate::symbolic::{Id, Poly, SineCosine, Symbol, TermVector};
 
 /// One solved rotary axis.
 #[derive(Debug, Clone)]
@@ -18,7 +18,7 @@ pub struct OneRotary {
     /// The axis.
     pub rotary: AxisId,
     /// Sine and cosine of its word.
-    pub word: (Id, Id),
+    pub word: SineCosine,
     /// Distance from the wanted axis to the reachable cone.
     pub deviation: Id,
     /// The root whose exact value on the cone is `length_claim`.
@@ -62,15 +62,15 @@ pub(crate) fn solve<'g>(
     let word_sine = word_sine.signed(!derivation.model.axes[rotary].reversed);
     Ok(OneRotary {
         rotary,
-        word: nodes((word_sine, word_cosine)),
+        word: SineCosine::of(word_sine, word_cosine),
         deviation: deviation.id(),
         length: length.id(),
         inverse: inverse.id(),
         length_claim: across_squared.id(),
         tilt: Tilt {
-            wanted: nodes((wanted_sine, along)),
-            between: nodes((graph.integer(0), graph.integer(1))),
-            tool: nodes((radius, level)),
+            wanted: SineCosine::of(wanted_sine, along),
+            between: SineCosine::of(graph.integer(0), graph.integer(1)),
+            tool: SineCosine::of(radius, level),
             direction: in_workpiece(derivation, rotary).ids(),
         },
     })

@@ -4,7 +4,7 @@ use super::geometry::Pole;
 use super::relation::AngleRelation;
 use super::tilt::Tilt;
 use crate::model::{AxisId, Model};
-use crate::symbolic::{Id, Interpreter, Poly, Symbol};
+use crate::symbolic::{Id, Interpreter, Poly, SineCosine, Symbol};
 
 /// Two solved rotary axes.
 #[derive(Debug, Clone)]
@@ -80,7 +80,7 @@ pub struct Branch {
     /// `σ` is plus.
     pub plus: bool,
     /// Sine and cosine of the words, first and second rotary.
-    pub words: [(Id, Id); 2],
+    pub words: [SineCosine; 2],
     /// Relations of the angles to those of the first branch.
     pub angles: [AngleRelation; 2],
 }
@@ -93,9 +93,9 @@ pub struct Edge {
     /// `r`.
     pub root: Symbol,
     /// Sine and cosine of the second word.
-    pub second: (Id, Id),
+    pub second: SineCosine,
     /// Sine and cosine of the first word times a common factor.
-    pub first: (Id, Id),
+    pub first: SineCosine,
     /// Square of that factor.
     pub first_squared: Id,
     /// `|n×b|²` of the reached axis.

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use crate::solve::derivation::Derivation;
-use crate::symbolic::{Id, Interpreter, Symbol};
+use crate::symbolic::{Id, Interpreter, SineCosine, Symbol};
 
 /// Relation of an angle to that of the first branch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,10 +21,10 @@ pub enum AngleRelation {
     Mirrored,
 }
 
-/// Relation of the angle with the second pair (sine, cosine) to that with the first.
-pub(crate) fn relation(derivation: &Derivation<'_>, first: (Id, Id), second: (Id, Id)) -> AngleRelation {
+/// Relation of the second angle to the first.
+pub(crate) fn relation(derivation: &Derivation<'_>, first: SineCosine, second: SineCosine) -> AngleRelation {
     let sample = derivation.model.sample();
-    match (same(derivation, &sample, first.0, second.0), same(derivation, &sample, first.1, second.1)) {
+    match (same(derivation, &sample, first.sine, second.sine), same(derivation, &sample, first.cosine, second.cosine)) {
         (Some(true), Some(true)) => AngleRelation::Same,
         (Some(false), Some(true)) => AngleRelation::Negated,
         (Some(false), Some(false)) => AngleRelation::HalfTurn,

@@ -2,17 +2,17 @@
 
 use crate::model::{AxisId, AxisKind};
 use crate::solve::derivation::Derivation;
-use crate::symbolic::{Id, NodeVector, TermVector};
+use crate::symbolic::{NodeVector, SineCosine, TermVector};
 
-/// Angles to the first rotary as (sine, cosine) pairs, for diagnostics.
+/// Angles to the first rotary, for diagnostics.
 #[derive(Debug, Clone, Copy)]
 pub struct Tilt {
     /// Angle between the first rotary and the wanted axis.
-    pub wanted: (Id, Id),
+    pub wanted: SineCosine,
     /// Angle between the first and the second rotary; 0 with one rotary.
-    pub between: (Id, Id),
+    pub between: SineCosine,
     /// Angle between the last rotary and the tool axis.
-    pub tool: (Id, Id),
+    pub tool: SineCosine,
     /// Direction of the first rotary in the workpiece frame, at the held values before it.
     pub direction: NodeVector,
 }

@@ -53,7 +53,7 @@ use super::tilt::{Tilt, in_workpiece};
 use crate::model::AxisId;
 use crate::solve::derivation::Derivation;
 use crate::solve::refusal::Refusal;
-use crate::symbolic::{GraphBuilder, Id, Poly, Symbol, Term, nodes};
+use crate::symbolic::{GraphBuilder, Poly, SineCosine, Symbol, Term};
 
 /// Both angles of both branches.
 ///
@@ -80,14 +80,15 @@ pub(crate) fn solve<'g>(
         // In the orthogonal form the root cancels against the length; only its sign remains.
         let root = if pole == Pole::Orthogonal { derivation.graph.integer(1).signed(plus) } else { root };
         let (sine, cosine) = words.first(&wanted, lean, root);
-        (plus, [(sine * scale.inverse, cosine * scale.inverse), second].map(nodes))
+        let words = [(sine * scale.inverse, cosine * scale.inverse), second];
+        (plus, words.map(|(sine, cosine)| SineCosine::of(sine, cosine)))
     });
     let edge = edge(&derivation.graph, &machine, &wanted, &words, plus);
     let roots = [wanted.sine_squared, machine.between_squared, machine.tool_squared].map(Term::sqrt);
     let tilt = Tilt {
-        wanted: nodes((roots[0], wanted.along)),
-        between: nodes((roots[1], machine.p)),
-        tool: nodes((roots[2], machine.q)),
+        wanted: SineCosine::of(roots[0], wanted.along),
+        between: SineCosine::of(roots[1], machine.p),
+        tool: SineCosine::of(roots[2], machine.q),
         direction: in_workpiece(derivation, rotaries[0]).ids(),
     };
     Ok(TwoRotaries {
@@ -160,11 +161,11 @@ fn edge<'g>(
     Edge {
         height: height_symbol,
         root: root_symbol,
-        second: nodes(second),
-        first: nodes(first),
+        second: SineCosine::of(second.0, second.1),
+        first: SineCosine::of(first.0, first.1),
         first_squared: first_squared.id(),
         reached_squared: reached_squared.id(),
-        along: nodes((wanted.along, reached_along)),
+        along: (wanted.along.id(), reached_along.id()),
     }
 }
 
@@ -178,7 +179,7 @@ fn first_branch_is_plus(alpha: [Term<'_>; 2], reversed: bool, defaults: &BTreeMa
 }
 
 /// Both branches, with the relations of the second branch's angles to the first.
-fn related(derivation: &Derivation<'_>, [first, second]: [(bool, [(Id, Id); 2]); 2]) -> [Branch; 2] {
+fn related(derivation: &Derivation<'_>, [first, second]: [(bool, [SineCosine; 2]); 2]) -> [Branch; 2] {
     let own = |(plus, words)| Branch { plus, words, angles: [AngleRelation::Own; 2] };
     let (first, second) = (own(first), own(second));
     let angles = std::array::from_fn(|rotary| relation(derivation, first.words[rotary], second.words[rotary]));

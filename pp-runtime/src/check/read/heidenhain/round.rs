@@ -5,7 +5,7 @@ use super::super::language::Address;
 use super::super::line::Line;
 use super::super::orders::Code;
 use super::super::text::Number;
-use super::super::words::Counts;
+use super::super::words::{Counts, Word};
 
 /// `CC X+.. Y+..`: sets the pole.
 pub(super) fn centre(line: &mut Line<'_>, pole: &mut [Option<f64>; 3]) -> bool {
@@ -44,7 +44,7 @@ pub(super) fn close(
     }
     for (axis, value) in pole.iter().enumerate() {
         if let Some(value) = value {
-            add(line, (Address::Centre, axis), *value);
+            add(line, Address::Centre, axis, *value);
         }
     }
     let angle = line.words.left().iter().find(|word| word.address == Address::Angle).map(|word| word.number.value);
@@ -58,9 +58,9 @@ pub(super) fn close(
 }
 
 /// Adds a word of the pole.
-fn add(line: &mut Line<'_>, address: (Address, usize), value: f64) {
+fn add(line: &mut Line<'_>, address: Address, index: usize, value: f64) {
     let number = Number { value, point: true, negative: value < 0.0 };
-    line.word(b"CC", address, (number, Counts::Absolute), 0);
+    line.word(b"CC", Word::new(address, index, number, Counts::Absolute, 0));
 }
 
 /// CP: the end in the plane follows from the angle.
@@ -74,7 +74,7 @@ fn polar_end(line: &mut Line<'_>, angle: f64, pole: &[Option<f64>; 3]) -> Option
     };
     let ((first, x), (second, y)) = (from_pole(u)?, from_pole(v)?);
     let (sine, cosine) = angle.sin_cos();
-    add(line, (Address::Axis, first), pole[u]? + x * cosine - y * sine);
-    add(line, (Address::Axis, second), pole[v]? + x * sine + y * cosine);
+    add(line, Address::Axis, first, pole[u]? + x * cosine - y * sine);
+    add(line, Address::Axis, second, pole[v]? + x * sine + y * cosine);
     Some(())
 }

@@ -4,7 +4,7 @@ use super::super::block::SideOfPath;
 use super::super::language::Address;
 use super::super::line::Line;
 use super::super::orders::ModeOrder;
-use super::super::words::Counts;
+use super::super::words::{Counts, Word};
 
 /// Words of a motion that are no numbers.
 #[derive(Debug, Default)]
@@ -88,6 +88,6 @@ fn word(line: &mut Line<'_>) -> bool {
         }
         (None, _) => return false,
     };
-    line.word(letters, (address, index), (number, counts), start);
+    line.word(letters, Word::new(address, index, number, counts, start));
     true
 }

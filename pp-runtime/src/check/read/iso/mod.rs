@@ -17,7 +17,7 @@ use super::line::Line;
 use super::machine::Interpreter;
 use super::orders::Act;
 use super::text::{Number, shown, whole};
-use super::words::Counts;
+use super::words::{Counts, Word};
 use super::{LineLanguage, Moves, Vocabulary};
 use crate::shortcut::Shortcut;
 
@@ -104,7 +104,7 @@ impl LineLanguage for Iso {
         if !Shortcut::LinesOfWords.is_on() || self.guards.is_open() {
             return false;
         }
-        machine.words_of_moves().is_some_and(|(centre, normal)| self.moves.read(text, (centre, normal), moves))
+        machine.words_of_moves().is_some_and(|permitted| self.moves.read(text, permitted, moves))
     }
 
     fn line(&mut self, line: &mut Line<'_>) -> bool {
@@ -216,5 +216,5 @@ fn word(line: &mut Line<'_>, letter: u8, number: Number, column: usize) {
         Address::Centre => usize::from(letter - b'I'),
         _ => 0,
     };
-    line.word(&[letter], (address, index), (number, Counts::AsInForce), column);
+    line.word(&[letter], Word::new(address, index, number, Counts::AsInForce, column));
 }

@@ -1,7 +1,7 @@
 //! Lines of axis words and F alone, and of arcs whose code is in force: most lines of a program.
 
 use super::super::language::{Address, letters};
-use super::super::machine::Interpreter;
+use super::super::machine::{Interpreter, WordsOfMoves};
 use super::super::orders::Letters;
 use super::super::text::{Cursor, Number, whole};
 use super::super::{MAX_AXES, Moves, Vocabulary};
@@ -60,13 +60,12 @@ impl MoveWords {
         }
     }
 
-    /// Reads a line of words of axes and F, each once and none in least increments, after a block number at most;
-    /// `false` if another word comes, or none of an axis. `centre`: those of I J K that it may have; `normal`: an axis
-    /// that it may not have. A function of its own, whose registers no other line needs.
+    /// Reads a line of words of axes and F, each once and none in least increments, after a block number at most; `false` if
+    /// another word comes, or none of an axis. A function of its own, whose registers no other line needs.
     #[inline(never)]
-    pub(super) fn read(&self, text: &[u8], (centre, normal): (Letters, Option<usize>), moves: &mut Moves) -> bool {
-        let without_normal = normal.map_or(!0, |normal| !(1 << normal));
-        let permitted = permitted(centre) & without_normal;
+    pub(super) fn read(&self, text: &[u8], may_have: WordsOfMoves, moves: &mut Moves) -> bool {
+        let without_normal = may_have.without.map_or(!0, |normal| !(1 << normal));
+        let permitted = permitted(may_have.centre) & without_normal;
         self.words::<true>(text, permitted, moves) || self.words::<false>(text, permitted, moves)
     }
 

@@ -16,6 +16,15 @@ use super::orders::{Act, Code, Cycle, Letters, ModeOrder, MotionOrder, Orders, P
 use super::state::MAX_AXES;
 use crate::program::Units;
 
+/// Words that a line of words alone may have, besides those of its axes and F.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct WordsOfMoves {
+    /// Letters of I J K.
+    pub(super) centre: Letters,
+    /// Axis along the normal of the plane, where the line may not have its word.
+    pub(super) without: Option<usize>,
+}
+
 /// One axis of the machine as the program names it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct AxisName {
@@ -251,15 +260,16 @@ impl Interpreter {
         self.motion.vectors
     }
 
-    /// Letters of I J K that a line of words alone may have, and whether it may have the word along the normal of the
-    /// plane. `None` where such a line may do more than move axes.
-    pub(super) fn words_of_moves(&self) -> Option<(Letters, Option<usize>)> {
+    /// Words that a line of words alone may have. `None` where such a line may do more than move axes.
+    pub(super) fn words_of_moves(&self) -> Option<WordsOfMoves> {
         let MotionModes { code, takes, vectors, canned, rigid, thread_due, .. } = &self.motion;
         match code {
             _ if *rigid || *thread_due || self.frames.unknown != 0 => None,
-            Some(Code::Cycle) if canned.is_some() => Some((0, self.normal())),
-            Some(Code::Rapid | Code::Feed) => Some((0, None)),
-            Some(Code::Clockwise | Code::CounterClockwise) => Some((if *vectors { 0 } else { *takes }, None)),
+            Some(Code::Cycle) if canned.is_some() => Some(WordsOfMoves { centre: 0, without: self.normal() }),
+            Some(Code::Rapid | Code::Feed) => Some(WordsOfMoves { centre: 0, without: None }),
+            Some(Code::Clockwise | Code::CounterClockwise) => {
+                Some(WordsOfMoves { centre: if *vectors { 0 } else { *takes }, without: None })
+            }
             _ => None,
         }
     }

@@ -15,7 +15,7 @@ use super::language::{Address, Means, StatementWord};
 use super::line::Line;
 use super::orders::{Cycle, ModeOrder};
 use super::text::{Cursor, Number, whole};
-use super::words::{Coded, Counts};
+use super::words::{Coded, Counts, Word};
 
 /// What is remembered from one line to the next.
 #[derive(Debug, Default)]
@@ -108,7 +108,7 @@ fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
     }
     let Some((number, counts)) = value(&mut line.at) else { return false };
     if let Some(index) = line.axis(name) {
-        line.word(name, (Address::Axis, index), (number, counts), start);
+        line.word(name, Word::new(Address::Axis, index, number, counts, start));
         return true;
     }
     let spindle = line.vocabulary().spindle_number;
@@ -147,7 +147,7 @@ fn word(line: &mut Line<'_>, letter: u8, start: usize) -> bool {
     if matches!(address, Address::Tool | Address::Edge) && whole(number).is_none() {
         return false;
     }
-    line.word(name, (address, index), (number, counts), start);
+    line.word(name, Word::new(address, index, number, counts, start));
     true
 }
 
@@ -176,7 +176,7 @@ fn keyword(line: &mut Line<'_>, calls: &mut Calls) -> bool {
             let value = if line.at.take(b'=') { value(&mut line.at) } else { None };
             let Some((number, Counts::AsInForce)) = value else { return false };
             let turns = address == Address::Turns;
-            line.word(name, (address, 0), (number, Counts::AsInForce), start);
+            line.word(name, Word::new(address, 0, number, Counts::AsInForce, start));
             return !turns || whole(number).is_some();
         }
         Means::Statement(StatementWord::ModalCall) if !std::mem::replace(&mut calls.modal, true) => {}
@@ -219,6 +219,6 @@ fn tool_name(line: &mut Line<'_>, start: usize) -> bool {
     line.called(true, start);
     let Some(tool) = line.tool_of(name) else { return false };
     let number = Number { value: f64::from(tool), point: false, negative: false };
-    line.word(b"T", (Address::Tool, 0), (number, Counts::AsInForce), start);
+    line.word(b"T", Word::new(Address::Tool, 0, number, Counts::AsInForce, start));
     true
 }

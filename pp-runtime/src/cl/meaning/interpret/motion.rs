@@ -2,11 +2,12 @@
 
 use super::RecordInterpreter;
 use crate::cl::dialect::Dialect;
-use crate::cl::meaning::arc::{WaitingCircle, arc_of, is_on, tangent_circle, tlon_fault};
+use crate::cl::meaning::arc::{FileCoordinates, WaitingCircle, arc_of, is_on, tangent_circle, tlon_fault};
 use crate::cl::meaning::axis::Normalised;
 use crate::cl::meaning::event_queue::QueuedEvent;
 use crate::cl::meaning::feed::feed_of;
 use crate::cl::meaning::holes::{self, CycleContext, HoleDefinition, OF_ANOTHER_POST};
+use crate::cl::meaning::votes::ArcKind;
 use crate::cl::record::{
     ArcRecord, CircleForm, CircleRecord, CycleCall, CycleRecord, FeedRecord, MotionRecord, Numbers, NurbsRecord, Point,
     TangentArc,
@@ -305,15 +306,8 @@ impl RecordInterpreter {
         }
         let camplete = self.dialect() == Dialect::Autodesk && circle.form == CircleForm::Eleven;
         let tool_axis = self.path.position("CIRCLE", circle.at)?.axis;
-        let transforms = self.coordinates.transforms();
-        let waiting = WaitingCircle::new(
-            circle,
-            (unit_mm, transforms),
-            tool_axis,
-            self.options.circle_sense,
-            camplete,
-            here.line,
-        )?;
+        let file = FileCoordinates { unit_mm, transforms: self.coordinates.transforms() };
+        let waiting = WaitingCircle::new(circle, file, tool_axis, self.options.circle_sense, camplete, here.line)?;
         self.arc.open_circle(waiting);
         Ok(())
     }
@@ -332,8 +326,8 @@ impl RecordInterpreter {
         let start = self.path.position("CIRCLE", at)?;
         let mut arc = arc_of(circle, &start, &end, self.path.feed(), at)?;
         let line = self.path.line_before(start.tip);
-        let group = (self.coordinates.workpiece().number(), circle.is_sense_stated());
-        self.votes.add_arc(&arc, circle.axis(), line, group, here);
+        let kind = ArcKind { frame: self.coordinates.workpiece().number(), stated: circle.is_sense_stated() };
+        self.votes.add_arc(&arc, circle.axis(), line, kind, here);
         self.take_tip(&mut arc, at)?;
         Ok(arc)
     }
@@ -363,8 +357,8 @@ impl RecordInterpreter {
             return Err(tlon_fault(at, "RAPID before an arc: no control runs an arc at rapid".into()));
         }
         let direction = self.arc.end_tangent(at)?;
-        let scale = (unit_mm, self.coordinates.transforms());
-        let (circle, end) = tangent_circle(record, &start, direction, scale, here.line)?;
+        let file = FileCoordinates { unit_mm, transforms: self.coordinates.transforms() };
+        let (circle, end) = tangent_circle(record, &start, direction, file, here.line)?;
         let mut arc = arc_of(&circle, &start, &Pose { tip: end, axis: start.axis }, self.path.feed(), at)?;
         self.votes.conclude_arc(None);
         self.path.set_here(arc.end);

@@ -132,8 +132,8 @@ impl RecordInterpreter {
     }
 
     fn enter_frame(&mut self, frame: StatedFrame, at: Span) -> Result<FrameChange, ClFault> {
-        let (options, dialect) = ((self.options.frames, &*self.options.set_ups), self.dialect());
-        self.coordinates.take_frame(frame, at, options, dialect)
+        let dialect = self.dialect();
+        self.coordinates.take_frame(frame, at, &self.options, dialect)
     }
 
     /// Another set-up begins: the axes are parked, and the operator clamps the part. A STOP before it is the one in

@@ -18,7 +18,7 @@ use crate::program::Units;
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::geometry::angle_between;
 use crate::motion::place::{AxisPosition, Placer};
-use crate::motion::place::{Linearised, PathTolerance, RotationLaw, WholeMotion};
+use crate::motion::place::{BlockEnds, Linearised, PathTolerance, RotationLaw, WholeMotion};
 use crate::motion::plan::abilities::Abilities;
 use crate::motion::plan::clamps::{Clamps, MovingAxes};
 use crate::motion::plan::feed::{FeedMotion, Feeds, Pace};
@@ -358,7 +358,8 @@ impl<'a, S: Sink> Mover<'a, S> {
         tolerance: PathTolerance,
     ) -> Planned {
         let seen = self.output.statistics().largest_deviation(tolerance);
-        let whole = || Linearised::in_one_block(&self.placer, (self.here(), place), (tolerance, seen), self.law);
+        let ends = BlockEnds { from: self.here(), to: place };
+        let whole = || Linearised::in_one_block(&self.placer, ends, tolerance, seen, self.law);
         let whole = if Shortcut::OneBlock.is_on() { whole() } else { None };
         let Some(WholeMotion { tip_rate, bound }) = whole else {
             return self.feed_in_several(place, rate, tolerance);
@@ -367,7 +368,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             self.output.statistics_mut().certified(&bound, tolerance);
         }
         self.note_rotation_on_spot(place, block, tolerance)?;
-        self.feed_piece((place, tip_rate), rate, block, None)
+        self.feed_piece(place, tip_rate, rate, block, None)
     }
 
     /// Writes the feed motion in several blocks, where one does not certify.
@@ -380,7 +381,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             let block = self.block_to(&piece.place);
             self.note_rotation_on_spot(&piece.place, block, tolerance)?;
             self.placer.check_travel(&piece.place)?;
-            self.feed_piece((&piece.place, piece.bound.tip_rate), rate, block, inserted)?;
+            self.feed_piece(&piece.place, piece.bound.tip_rate, rate, block, inserted)?;
             self.position.go_to(&piece.place);
             self.output.statistics_mut().certified(&piece.bound, tolerance);
         }
@@ -433,7 +434,8 @@ impl<'a, S: Sink> Mover<'a, S> {
     #[inline(always)]
     fn feed_piece(
         &mut self,
-        (place, tip_rate): (&AxisPosition, f64),
+        place: &AxisPosition,
+        tip_rate: f64,
         rate: f64,
         block: BlockMotion,
         inserted: Option<BlockReason>,
