@@ -115,8 +115,8 @@ impl LineScan {
     }
 }
 
-/// Turns a window into an excerpt: visible characters, clipped to `WIDTH` around the column. `length`: bytes that the diagnostic
-/// marks from the location on.
+/// Turns a window into an excerpt: visible characters, clipped to `WIDTH` around the column. `length`: bytes that the
+/// diagnostic marks from the location on.
 fn show(location: Location, length: u32, window: &Window) -> Excerpt {
     let column = u64::from(location.column.saturating_sub(1)).saturating_sub(window.start) as usize;
     let marked_end = column + length.max(1) as usize;

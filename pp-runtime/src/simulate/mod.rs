@@ -36,7 +36,7 @@ mod removal;
 mod testing;
 mod tools;
 
-pub(crate) use bodies::{SolidBody, SolidFault};
+pub(crate) use bodies::{Mesh, SolidBody, SolidFault};
 pub(crate) use design::{
     ComparisonLimits, Design, DesignComparison, Deviations, Origin, Region, TriangleSurface, limits_of,
 };

@@ -14,7 +14,6 @@ use crate::symbolic::{Graph, Interpreter, Poly, Ring};
 /// `g² + e² = (1-p²)|n×a|²`. A root is replaced by an expression that has the same square and is not negative.
 pub(crate) fn prove_lengths(model: &Model, graph: &mut Graph, two: &TwoRotaries) -> Result<(), String> {
     let letters = model.letters(two.rotaries);
-    let graph = &mut solved.graph;
     let cosines = [two.tilt.between.cosine, two.tilt.tool.cosine, two.edge.along.0];
     let sine_squares =
         |values: &[Poly; 3], ring: &Ring| values.clone().map(|value| &Poly::one() - &ring.mul(&value, &value));

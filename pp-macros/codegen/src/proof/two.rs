@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::claim::holds;
 use super::unit_vectors::GeneralDirections;
 use crate::model::{AxisId, Model};
-use crate::solve::{Branch, Solved, TwoRotaries};
-use crate::symbolic::{Interpreter, Poly, PolyVector, Ring, SineCosine, Symbol};
+use crate::solve::{Branch, TwoRotaries};
+use crate::symbolic::{Graph, Interpreter, Poly, PolyVector, Ring, SineCosine, Symbol};
 
 /// Proves both branches, and the axis that is taken at the rim; returns the claims in words.
 ///

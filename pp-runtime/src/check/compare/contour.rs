@@ -145,8 +145,8 @@ impl Comparison<'_> {
         (round.is_some() || from != to).then_some(ContourSide { from, to, round })
     }
 
-    /// Why the tool does not fit. `radius_mm`: its radius, or its wear; `tool`: its index in [`ContourState`]; `begins`: the
-    /// compensation begins with this motion.
+    /// Why the tool does not fit. `radius_mm`: its radius, or its wear; `tool`: its index in [`ContourState`];
+    /// `begins`: the compensation begins with this motion.
     fn no_fit_text(&self, no_fit: NoFit, radius_mm: f64, tool: usize, begins: bool) -> String {
         let units = self.rules.units();
         let radius = units.length(radius_mm);

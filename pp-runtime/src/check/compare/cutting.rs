@@ -231,9 +231,10 @@ impl Comparison<'_> {
         !block.action.is_feed() || fault().is_none()
     }
 
-    /// Share of a rapid to a hole or on its axis that a block has done: it may stop on its way down, because a cycle of the control
-    /// returns to where it began. Words across the tool are those of the clearance level at every height; from there words along
-    /// it follow the axis that the machine has. Its tolerance holds for what both lead off each other.
+    /// Share of a rapid to a hole or on its axis that a block has done: it may stop on its way down, because a cycle of
+    /// the control returns to where it began. Words across the tool are those of the clearance level at every height;
+    /// from there words along it follow the axis that the machine has. Its tolerance holds for what both lead off each
+    /// other.
     fn share_over_hole(&self, part: &MotionPart, hole: &ExpectedHole, block: &Block, end: &ToolPose) -> Option<f64> {
         let (segment, rounding) = (&part.segment, self.rules.rounding());
         let largest = BOTH * rounding.tip_mm;

@@ -52,8 +52,8 @@ pub(super) fn rest(
     })
 }
 
-/// Whether a pose is at a distance along a tool axis that is known to its rounding. `roundings`: those of a tip to which `out` is
-/// known.
+/// Whether a pose is at a distance along a tool axis that is known to its rounding. `roundings`: those of a tip to
+/// which `out` is known.
 pub(super) fn is_at_distance(
     rules: &Rules<'_>,
     end: &ToolPose,

@@ -110,8 +110,8 @@ impl ArcPath {
         self.angle
     }
 
-    /// Distance of a point from the arc, mm, where its foot is near to the place at this angle; `None` elsewhere, and beyond
-    /// the ends. Angles count from the start of the motion; sine and cosine are those of this one.
+    /// Distance of a point from the arc, mm, where its foot is near to the place at this angle; `None` elsewhere, and
+    /// beyond the ends. Angles count from the start of the motion; sine and cosine are those of this one.
     pub(crate) fn distance_near(&self, point: &Vector3<f64>, angle: f64, sine: f64, cosine: f64) -> Option<f64> {
         let between = |[a, b]: [f64; 2], share: f64| a + (b - a) * share;
         let from = point - self.centre;

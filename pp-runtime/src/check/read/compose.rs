@@ -240,9 +240,8 @@ impl Line<'_> {
         }
     }
 
-    /// The kinds of coolant that a code of the control switches on this machine: not those that have another code in the
-    /// configuration, or on a control of one's own. A code that has none is a fault. `columns`: those of the
-    /// code.
+    /// The kinds of coolant that a code of the control switches on this machine: not those that have another code in
+    /// the configuration, or on a control of one's own. A code that has none is a fault. `columns`: those of the code.
     fn kinds_of(&mut self, kinds: u8, on: bool, code: u32, columns: Range<usize>) -> u8 {
         let own = self.vocabulary().switches().filter(|own| own.place == OwnPlace::Coolant);
         let (mut left, mut instead) = (kinds, None);

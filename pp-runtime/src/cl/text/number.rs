@@ -308,7 +308,8 @@ struct Mantissa {
     decimals: usize,
 }
 
-/// Magnitude of a number with an exponent or with many digits, and its end. Its digits begin at `start` and end at `at`.
+/// Magnitude of a number with an exponent or with many digits, and its end. Its digits begin at `start` and end at
+/// `at`.
 #[cold]
 fn long_number(
     text: &[u8],

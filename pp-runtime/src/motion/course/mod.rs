@@ -442,7 +442,8 @@ impl Navigator {
         self.here.is_some_and(|from| self.finder.is_near_limit(&from, pose, &self.states))
     }
 
-    /// Takes one motion in one search. `pole`: where the tool axis is at it. Returns false if no state of the pose can be reached.
+    /// Takes one motion in one search. `pole`: where the tool axis is at it. Returns false if no state of the pose can
+    /// be reached.
     fn step(&mut self, run: usize, pose: &Pose, pole: Option<&UnitVector3<f64>>, air: bool, begins: bool) -> bool {
         let motion = self.motion;
         let (finder, search) = (&self.finder, &mut self.searches[run].search);
@@ -650,8 +651,8 @@ fn cut(
     false
 }
 
-/// First fraction of the path, after `from`, at which a state of the last layer reaches a limit while another turn is inside the
-/// limits.
+/// First fraction of the path, after `from`, at which a state of the last layer reaches a limit while another turn is
+/// inside the limits.
 fn crossing(
     finder: &StateFinder,
     search: &CourseSearch,

@@ -255,8 +255,8 @@ impl StateFinder {
         states.iter().map(|state| self.at_pole(pole, axis, state)).collect()
     }
 
-    /// Whether a cut from one state to another keeps the tool on its path: the axes move continuously from end to end, and
-    /// inside their limits. `merged`: both branches are the same.
+    /// Whether a cut from one state to another keeps the tool on its path: the axes move continuously from end to end,
+    /// and inside their limits. `merged`: both branches are the same.
     pub(crate) fn connected(&self, from: CutEnd<'_>, to: CutEnd<'_>, merged: bool, tested: &mut TestedCuts) -> bool {
         self.is_joined(from, to, merged, tested) && self.stays_inside(from, to)
     }

@@ -195,8 +195,8 @@ impl<'a> ArcGeometry<'a> {
         (self.radii_mm[1] - self.radii_mm[0]).abs() > 0.0 || rise_mm.abs() > 0.0
     }
 
-    /// Coordinate along an axis of the point of its circle that is furthest to a side, 1 or -1, at a part of the arc, 0 to 1. The
-    /// rise moves no extreme.
+    /// Coordinate along an axis of the point of its circle that is furthest to a side, 1 or -1, at a part of the arc, 0
+    /// to 1. The rise moves no extreme.
     fn of_circle(&self, AlongAxis { axis, across, rise_mm }: AlongAxis, side: f64, part: f64) -> f64 {
         let wider_mm = self.radii_mm[1] - self.radii_mm[0];
         let start = self.arc.centre[axis] + self.arc.normal[axis] * self.level_mm;
@@ -206,8 +206,9 @@ impl<'a> ArcGeometry<'a> {
     /// Coordinates along an axis of the extremes, lowest and highest, that an arc of one revolution at most has between
     /// its ends.
     ///
-    /// They are the coordinate of the centre, less or plus the radius times `across`. An arc of at most half a revolution passes
-    /// the highest point if it begins to climb and ends falling; a longer one, unless the rest of its circle does.
+    /// They are the coordinate of the centre, less or plus the radius times `across`. An arc of at most half a
+    /// revolution passes the highest point if it begins to climb and ends falling; a longer one, unless the rest of its
+    /// circle does.
     fn turning_points(&self, along: AlongAxis) -> [Option<f64>; 2] {
         let AlongAxis { axis, rise_mm, .. } = along;
         let (a, b) = (self.u[axis], self.v[axis]);

@@ -366,8 +366,8 @@ impl Placer {
         self.poles.axes.iter().any(|pole| pose.axis.cross(pole).norm() < UNEVEN_NEAR_POLE)
     }
 
-    /// Whether the rotary axes go evenly in a whole motion between two poses on one branch: between their words, hence inside
-    /// their limits.
+    /// Whether the rotary axes go evenly in a whole motion between two poses on one branch: between their words, hence
+    /// inside their limits.
     pub(crate) fn goes_evenly(&self, poses: [&Pose; 2], [start, end]: [&RotaryWords; 2]) -> bool {
         let bound = || self.machine.motion(&self.axes_of(start), &self.axes_of(end)).axis;
         self.may_go_evenly(poses, [&self.all_words(start), &self.all_words(end)])
@@ -614,8 +614,8 @@ impl Certifier<'_> {
         }
     }
 
-    /// Whether a piece of this length may begin at a parameter, and the pieces after it need not be shorter by more than a
-    /// factor of two from one to the next.
+    /// Whether a piece of this length may begin at a parameter, and the pieces after it need not be shorter by more
+    /// than a factor of two from one to the next.
     fn grades(&self, path: &CuttingPath, ends: BlockEnds<'_>, at: f64, length: f64) -> Result<bool, Fault> {
         let BlockEnds { from, to } = ends;
         if at >= 1.0 || length <= path.resolution {

@@ -37,7 +37,7 @@ use crate::program::Units;
 use crate::set_up::LengthMode;
 
 pub(crate) use entry::TipEntry;
-pub use frame::{TipAbility, TipStart};
+pub(crate) use frame::{TipAbility, TipStart};
 pub(crate) use linearise::{BlockEnds, Linearised, PathTolerance, RotationLaw, WholeMotion};
 pub(crate) use refusal::limits_text;
 pub(crate) use suited::{UsableModes, unsuited};

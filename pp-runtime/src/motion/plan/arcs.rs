@@ -394,8 +394,8 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         Ok(())
     }
 
-    /// Writes a piece, `share` of the arc, at `rate` mm/min with the words of the axes of its chain. `drift`: distance of its
-    /// start from the start of its words, in units.
+    /// Writes a piece, `share` of the arc, at `rate` mm/min with the words of the axes of its chain. `drift`: distance
+    /// of its start from the start of its words, in units.
     fn write_piece(&mut self, circle: &Circle, to: &AxisPosition, share: f64, drift: [f64; 2], rate: f64) -> Planned {
         let length = self.round.length() * share;
         let mover = &mut self.planner.mover;

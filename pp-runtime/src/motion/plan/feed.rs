@@ -232,8 +232,8 @@ impl Feeds {
         Ok(Pace { feed, time_min, slowed_min: time_min - programmed_min })
     }
 
-    /// F of this value per minute. A block that is slowed down from `needed_min` to `time_min`, for `shortest_block` alone, has
-    /// the smallest F at least.
+    /// F of this value per minute. A block that is slowed down from `needed_min` to `time_min`, for `shortest_block`
+    /// alone, has the smallest F at least.
     fn per_minute_word(&self, feed: f64, value: f64, time_min: f64, needed_min: f64) -> Result<Decimal, Fault> {
         let word = Decimal::fixed(value, self.feed_decimals).map_err(|_| too_large(feed, self.units))?;
         let smallest = Decimal { units: 1, ..word };

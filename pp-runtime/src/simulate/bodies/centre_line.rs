@@ -28,9 +28,9 @@ impl CentreLine {
     /// Bound of what a motion that takes this line to another one moves the points of a ball by, mm, also after they
     /// are rotated about this line.
     ///
-    /// The motion rotates about `here`, the foot of the centre of the ball, and then moves `here` to its foot on the other
-    /// line. A rotation by an angle moves a point by twice the sine of half of it, the distance of both directions, times its
-    /// distance from `here` at most; rotating about this line leaves that distance as it is.
+    /// The motion rotates about `here`, the foot of the centre of the ball, and then moves `here` to its foot on the
+    /// other line. A rotation by an angle moves a point by twice the sine of half of it, the distance of both
+    /// directions, times its distance from `here` at most; rotating about this line leaves that distance as it is.
     pub(crate) fn away_from(&self, other: &Self, centre: Point3<f64>, radius: f64) -> f64 {
         let here = self.foot(centre);
         let apart = (other.foot(here) - here).norm();

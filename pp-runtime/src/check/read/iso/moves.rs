@@ -60,8 +60,8 @@ impl MoveWords {
         }
     }
 
-    /// Reads a line of words of axes and F, each once and none in least increments, after a block number at most; `false` if
-    /// another word comes, or none of an axis. A function of its own, whose registers no other line needs.
+    /// Reads a line of words of axes and F, each once and none in least increments, after a block number at most;
+    /// `false` if another word comes, or none of an axis. A function of its own, whose registers no other line needs.
     #[inline(never)]
     pub(super) fn read(&self, text: &[u8], may_have: WordsOfMoves, moves: &mut Moves) -> bool {
         let without_normal = may_have.without.map_or(!0, |normal| !(1 << normal));
