@@ -76,7 +76,8 @@ impl Diagnostic {
 }
 
 impl Display for Diagnostic {
-    /// Line, column, severity and text; the remedy on a line of its own. Without a place the text begins with the severity.
+    /// Line, column, severity and text; the remedy on a line of its own. Without a place the text begins with the
+    /// severity.
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         let Location { line, column } = self.location;
         if line > 0 {
@@ -98,8 +99,8 @@ impl Display for Diagnostic {
 /// #     chain: C A | X Y Z;
 /// # }
 ///
-/// let read = || -> Result<Config, Box<dyn std::error::Error>> { Ok(Config::read::<Trunnion>("tolerance = -1\n", &LinuxCnc)?) };
-/// assert!(read().is_err_and(|faults| faults.to_string().starts_with("1:13: error: ")));
+/// let read = || -> Result<Config, Box<dyn std::error::Error>> { Ok(Config::read::<Trunnion>("tolerance = -1\n",
+/// &LinuxCnc)?) }; assert!(read().is_err_and(|faults| faults.to_string().starts_with("1:13: error: ")));
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostics(pub(crate) Vec<Diagnostic>);

@@ -13,9 +13,8 @@
 //! ```
 //! use pp_runtime::cl::{ClReader, ReadingOptions};
 //!
-//! let mut reader = ClReader::new(&b"UNITS/MM\nGOTO/0,0,5\nFEDRATE/100,MMPM\nGOTO/10,0,5\n"[..], ReadingOptions::default());
-//! let mut events = 0;
-//! while reader.next_event()?.is_some() {
+//! let mut reader = ClReader::new(&b"UNITS/MM\nGOTO/0,0,5\nFEDRATE/100,MMPM\nGOTO/10,0,5\n"[..],
+//! ReadingOptions::default()); let mut events = 0; while reader.next_event()?.is_some() {
 //!     events += 1;
 //! }
 //! // What is not understood is an error at its place, with a remedy.

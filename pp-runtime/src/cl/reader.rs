@@ -127,8 +127,8 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// Takes the next statements as long as each is a GOTO on a line of its own that is a straight motion, as nearly every
-    /// one is, and there are places for their events; returns their number.
+    /// Takes the next statements as long as each is a GOTO on a line of its own that is a straight motion, as nearly
+    /// every one is, and there are places for their events; returns their number.
     #[inline(never)]
     fn straights(&mut self, places: &mut [(Location, QueuedEvent)]) -> usize {
         // A straight motion changes nothing that this depends on.

@@ -13,14 +13,13 @@
 //! #     chain: C A | X Y Z;
 //! # }
 //!
-//! let config = Config::read::<Trunnion>("part_origin = [0, 0, 40]\n\n[limits]\nA = [-30, 110]\n", &LinuxCnc).expect("a configuration");
-//! assert!(config.is_given("part_origin"));
-//! assert!((config.set_up.part_origin[2] - 40.0).abs() < 1e-12);
+//! let config = Config::read::<Trunnion>("part_origin = [0, 0, 40]\n\n[limits]\nA = [-30, 110]\n", &LinuxCnc).expect("a
+//! configuration"); assert!(config.is_given("part_origin")); assert!((config.set_up.part_origin[2] - 40.0).abs() <
+//! 1e-12);
 //!
 //! // All faults of a file are reported, each at its place.
-//! let faults = Config::read::<Trunnion>("part_orign = [0, 0, 40]\ntolerance = -1\n", &LinuxCnc).expect_err("two faults");
-//! assert_eq!(faults.len(), 2);
-//! assert_eq!(faults[0].location.line, 1);
+//! let faults = Config::read::<Trunnion>("part_orign = [0, 0, 40]\ntolerance = -1\n", &LinuxCnc).expect_err("two
+//! faults"); assert_eq!(faults.len(), 2); assert_eq!(faults[0].location.line, 1);
 //! ```
 
 mod checking;

@@ -1,5 +1,6 @@
 //! What keeps the house small: fields of a struct, lines of a function, circles between the modules of a folder, public
-//! names. What is larger is listed, with its size: the lists only shrink. No line of a comment is longer than one of the code.
+//! names. What is larger is listed, with its size: the lists only shrink. No line of a comment is longer than one of
+//! the code.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -15,10 +15,9 @@
 //! # }
 //!
 //! let policy = Config::default().check_policy::<Trunnion>(&Fanuc, None)?;
-//! let blocks = blocks::<Trunnion>(&policy, &b"%\nO1\nG21 G90 G94 G17 G40 G80 G49\nG0 X10.\nG1 X20. F500.\nM30\n%\n"[..])?;
-//! let last_motion = blocks.iter().rfind(|block| block.written != 0).expect("an axis word");
-//! assert!((last_motion.values[2] - 20.0).abs() < 1e-12);
-//! assert_eq!(last_motion.action, Action::Feed);
+//! let blocks = blocks::<Trunnion>(&policy, &b"%\nO1\nG21 G90 G94 G17 G40 G80 G49\nG0 X10.\nG1 X20.
+//! F500.\nM30\n%\n"[..])?; let last_motion = blocks.iter().rfind(|block| block.written != 0).expect("an axis word");
+//! assert!((last_motion.values[2] - 20.0).abs() < 1e-12); assert_eq!(last_motion.action, Action::Feed);
 //! assert!(blocks.iter().all(|block| block.faults.is_empty()));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -158,7 +158,8 @@ impl Rules<'_> {
         self.share_within(segment, rapid, block, (before, end), arrival)
     }
 
-    /// Whether a block ends with a motion that rotates the tool axis by the digits of CL data, through which it is held.
+    /// Whether a block ends with a motion that rotates the tool axis by the digits of CL data, through which it is
+    /// held.
     #[inline(never)]
     fn is_at_with_held_axis(&self, end: &ToolPose, segment: &Segment) -> bool {
         segment.turn() <= BOTH * HELD_AXIS

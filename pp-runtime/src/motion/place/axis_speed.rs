@@ -14,7 +14,8 @@
 //! Over a part of length `h` that it passes with the step `Δ`, `Δ'` being that of a part next to it,
 //!
 //! ```text
-//! q'(½) = Δ/h within h² J/24,   q''(½) = (Δ' - Δ)/h² within 3 h J/2,   |q'(s)| = |q'(½) + (s - ½) h q''(½)| within h² J/8
+//! q'(½) = Δ/h within h² J/24,   q''(½) = (Δ' - Δ)/h² within 3 h J/2,   |q'(s)| = |q'(½) + (s - ½) h q''(½)| within h²
+//! J/8
 //! ```
 //!
 //! so its largest speed there is `|Δ|/h + |Δ' - Δ|/(2 h)` within `h² J`.

@@ -11,8 +11,8 @@
 //! radius of the tool itself: where the path is that of the centre the tool call takes it off, or a guard stops the
 //! program unless it is wear only.
 //!
-//! The contour of the program is offset here as well, by the radius, or by the largest wear to both sides: `offset` refuses what
-//! the tool does not fit into, whatever the control would do there.
+//! The contour of the program is offset here as well, by the radius, or by the largest wear to both sides: `offset`
+//! refuses what the tool does not fit into, whatever the control would do there.
 //!
 //! Decides what a motion is to the compensation, before it is planned and after it is written; the planner acts.
 
@@ -369,8 +369,8 @@ impl CutterSite<'_> {
         Ok(map * (motion.pose.tip - self.here.pose.tip))
     }
 
-    /// Largest angle between the tool axis and Z of a plane by the rounding of its three angles, or of the rotary words where
-    /// its zero follows the table.
+    /// Largest angle between the tool axis and Z of a plane by the rounding of its three angles, or of the rotary words
+    /// where its zero follows the table.
     fn plane_lean_rad(&self) -> f64 {
         let decimals = match self.placer.mode() {
             StretchMode::Axes | StretchMode::Tcp => None,
@@ -424,8 +424,8 @@ impl CutterSite<'_> {
         Ok(given.unwrap_or(number))
     }
 
-    /// Delta of the radius in a tool call: takes the radius off where the path is that of the tool centre, and the control
-    /// takes the radius of the tool itself.
+    /// Delta of the radius in a tool call: takes the radius off where the path is that of the tool centre, and the
+    /// control takes the radius of the tool itself.
     pub(crate) fn radius_delta(&self, tool: &LoadedTool) -> Result<Option<f64>, Fault> {
         let delta = self.abilities.cutter_radius == CutterRadius::WithDelta { written: true };
         let Some(radius_mm) = tool.radius_mm.filter(|_| delta && self.offsets_centre(tool)) else { return Ok(None) };

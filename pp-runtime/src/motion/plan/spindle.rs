@@ -44,8 +44,8 @@ impl PlannedSpindle {
         }
     }
 
-    /// Another tool is called; it does not take over the speed of the last one. A request since the last operation belongs to
-    /// the first tool called after it.
+    /// Another tool is called; it does not take over the speed of the last one. A request since the last operation
+    /// belongs to the first tool called after it.
     pub(crate) fn change_tool(&mut self) {
         if std::mem::replace(&mut self.tool_called, true) {
             self.between = SpindleRequest::default();

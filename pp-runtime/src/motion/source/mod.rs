@@ -3,7 +3,7 @@
 //! ```text
 //! event → setting     `part_rotation` (how the part lies on the table) and the lift of a dry run applied
 //!       → curves      splines become chords; an arc after an interruption gets a line to its start
-//!       → operations  assumed tool called; a rapid before the first tool becomes FROM; motions numbered; the settings of
+//! → operations  assumed tool called; a rapid before the first tool becomes FROM; motions numbered; the settings of
 //!                     each operation found
 //!       → lookahead   the first motion of an operation, and a rapid, wait for the motion after them
 //!       → item

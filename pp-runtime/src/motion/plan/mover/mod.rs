@@ -210,8 +210,9 @@ impl<'a, S: Sink> Mover<'a, S> {
         self.position.count_from(|from| placer.reference(pose, from));
     }
 
-    /// The place of a pose, reached from the present place: see [`Placer::place`]. In a plane the rotary axes stay where the
-    /// tool axis is that of the plane but for the digits of CL data, whatever the course has for these digits.
+    /// The place of a pose, reached from the present place: see [`Placer::place`]. In a plane the rotary axes stay
+    /// where the tool axis is that of the plane but for the digits of CL data, whatever the course has for these
+    /// digits.
     pub(crate) fn place(
         &mut self,
         pose: &Pose,
