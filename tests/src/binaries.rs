@@ -105,9 +105,11 @@ fn build() -> PathBuf {
     let mut build = Command::new(cargo);
     build.current_dir(workspace()).args(["build", "--quiet", "--workspace", "--profile", profile]);
     build.arg("--target-dir").arg(target);
-    for binary in fs::read_dir(workspace().join("machines/src/bin")).expect("the machines") {
-        let path = binary.expect("an entry").path();
-        build.arg("--bin").arg(path.file_stem().expect("a name"));
+    for folder in ["machines/src/bin", "machines/library/src/bin"] {
+        for binary in fs::read_dir(workspace().join(folder)).expect("the machines") {
+            let path = binary.expect("an entry").path();
+            build.arg("--bin").arg(path.file_stem().expect("a name"));
+        }
     }
     let status = build.status().expect("cargo can be run");
     assert!(status.success(), "the binaries do not build");

@@ -29,7 +29,7 @@ use crate::motion::tolerances::{ARC_END_DRIFT, LARGEST_LONG_WAY, MOST_REVOLUTION
 
 /// Reason why an arc is not written as an arc.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum NoArc {
+enum NoArc {
     /// `arcs.output` is `lines`.
     Configured,
     /// It deviates from a line by less than the resolution of the words.

@@ -52,7 +52,7 @@ pub(crate) struct CutterCompensation {
     offsets: Offsets,
 }
 
-/// What compensation depends on beside the CL data.
+/// What compensation depends on apart from the CL data.
 pub(crate) struct CutterSite<'s> {
     pub(crate) policy: Policy<'s>,
     pub(crate) abilities: &'s Abilities,
