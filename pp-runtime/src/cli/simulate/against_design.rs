@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::simulate::{DesignComparison, Deviations, LineRecords, Origin, Region, limits_of};
+use crate::simulate::{ComparisonLimits, DesignComparison, Deviations, LineRecords, Origin, Region, limits_of};
 
 /// Regions of each kind that are sentences; JSON has all that are kept.
 const MOST_SENTENCES: usize = 20;
@@ -30,6 +30,15 @@ impl DesignTolerances {
     /// Distance from which there is rest material.
     pub(super) fn rest_limit_mm(&self) -> f64 {
         self.rest_mm + self.design_mm + self.certified_mm
+    }
+
+    /// Limits of the comparison.
+    pub(super) fn limits(&self) -> ComparisonLimits {
+        ComparisonLimits {
+            gouge_mm: self.gouge_limit_mm(),
+            rest_mm: self.rest_limit_mm(),
+            thin_mm: 2.0 * self.certified_mm,
+        }
     }
 }
 

@@ -17,8 +17,8 @@ use std::path::Path;
 use crate::check::{CheckPolicy, Checked, check_observed};
 use crate::kinematics::AnyMachine;
 use crate::simulate::{
-    ComparisonLimits, LineRecords, Machined, Machining, Origin, PartPlaces, Recording, Simulation, SimulationOutcome,
-    ToolBodies, clearances, without_solids,
+    LineRecords, Machined, Machining, Origin, PartPlaces, Recording, Simulation, SimulationOutcome, ToolBodies,
+    clearances, without_solids,
 };
 use crate::view::{ClFacts, Collector, Motions, ViewedProgram};
 
@@ -154,10 +154,7 @@ pub(crate) fn run(
                 messages.note(&format!("rejected: {reason}"));
                 return Ok(Status::Rejected);
             }
-            let mut file = tempfile::tempfile().map_err(|error| Failure::unwritable(shown, error))?;
-            file.write_all(&posted.text)
-                .and_then(|()| file.rewind())
-                .map_err(|error| Failure::unwritable(shown, error))?;
+            let file = file_of(&posted.text, shown)?;
             source.rewind().map_err(unreadable)?;
             page_file.posted = posted;
             page = Some((page_file, written));
@@ -204,6 +201,14 @@ pub(crate) fn run(
         })?;
     }
     Ok(if simulated.passed { Status::Done } else { Status::Rejected })
+}
+
+/// A temporary file of a text, at its start. `shown`: name of the text.
+fn file_of(text: &[u8], shown: &Path) -> Result<File, Failure> {
+    let unwritable = |error| Failure::unwritable(shown, error);
+    let mut file = tempfile::tempfile().map_err(unwritable)?;
+    file.write_all(text).and_then(|()| file.rewind()).map_err(unwritable)?;
+    Ok(file)
 }
 
 /// Files of a simulation, both at their start.
@@ -283,12 +288,7 @@ fn simulate(
                 Some(place) if last != 1 => design.moved(&place),
                 _ => design,
             };
-            let limits = ComparisonLimits {
-                gouge_mm: tolerances.gouge_limit_mm(),
-                rest_mm: tolerances.rest_limit_mm(),
-                thin_mm: 2.0 * tolerances.certified_mm,
-            };
-            let comparison = design.compare(&machined, limits, &|origin| match origin {
+            let comparison = design.compare(&machined, tolerances.limits(), &|origin| match origin {
                 Origin::Line(line) => outcome.allowance_mm(u64::from(line)),
                 Origin::Blank | Origin::Unknown => 0.0,
             });
