@@ -65,7 +65,7 @@ impl NoCycle {
             Self::TipControl => "there are no cycles under tip control".to_owned(),
             Self::NotOrthogonal => "the coordinates of the program are not orthogonal here".to_owned(),
             Self::Leans { off_mm, .. } => format!(
-                "Z of the program leads off the axis of this hole, by {off_mm:.3} mm over its levels or on the way to it, more than `tolerance`"
+                "Z of the program leads off the axis of this hole, by {off_mm:.3} mm over its levels, more than `tolerance`"
             ),
             Self::LevelsNotInOrder => "the levels of the hole are not in order".to_owned(),
             Self::LongDwell => "the dwell is too long for the cycle".to_owned(),
@@ -183,7 +183,14 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         }
         self.planner.mover.output_mut().set_reason(BlockReason::Hole);
         self.planner.check_state(&bottom)?;
-        match self.cycle()? {
+        let mut planned = self.cycle()?;
+        if let Ok((cycle, _)) = &planned
+            && self.is_led_otherwise(cycle)?
+        {
+            self.lead_over()?;
+            planned = self.cycle()?;
+        }
+        match planned {
             Ok((cycle, place)) => self.run_cycle(&cycle, &place),
             Err(why) if matches!(self.hole.drilling, Drilling::Tap { .. }) => {
                 let text = format!(
@@ -247,11 +254,29 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         self.go(&Move { pose: self.hole.level(height), rapid: false, feed: self.hole.feed })
     }
 
+    /// Whether a cycle leads the tool over its hole on another path than that of the hole: the control keeps Z on the
+    /// way over it and X and Y on the way down, and the hole its height above the top and its axis.
+    fn is_led_otherwise(&mut self, cycle: &CannedCycle) -> Result<bool, Fault> {
+        let here = *self.planner.mover.here();
+        let height = self.height().max(self.hole.clearance_mm);
+        let mut over = here;
+        self.planner.mover.shift(&mut over, self.hole.level(height).tip)?;
+        let placer = self.planner.mover.placer();
+        let (here, over, to) = (placer.written(&here), placer.written(&over), cycle.words);
+        let strays = |index: usize| to.mask & 1 << index != 0 && over[index] != to.units[index];
+        Ok(here[cycle.z] != over[cycle.z] || (0..over.len()).any(strays))
+    }
+
+    /// Leads the tool over the hole, at its height above the top, and to the clearance level.
+    fn lead_over(&mut self) -> Planned {
+        self.rapid_to(self.height().max(self.hole.clearance_mm))?;
+        self.rapid_to(self.hole.clearance_mm)
+    }
+
     /// Writes the hole as single motions.
     fn run_by_motions(&mut self) -> Planned {
         let hole = self.hole;
-        self.rapid_to(self.height().max(hole.clearance_mm))?;
-        self.rapid_to(hole.clearance_mm)?;
+        self.lead_over()?;
         if let Drilling::Through { gaps } = hole.drilling {
             for gap in gaps.iter() {
                 self.feed_to(-gap.feed_ends_mm)?;
@@ -320,12 +345,6 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let mut place = *self.planner.mover.here();
         self.planner.mover.shift(&mut place, hole.level(hole.clearance_mm).tip)?;
         let (over, [x, y, z]) = (place, chain);
-        // The control leads the tool over the hole at the level at which it is.
-        let below_mm =
-            (over.words[z] - self.planner.mover.here().words[z]) as f64 * self.planner.mover.placer().unit_mm();
-        if below_mm > allowed {
-            return Ok(Err(NoCycle::Leans { off_mm: below_mm, rounded: false }));
-        }
         let words =
             AxisWords { units: self.planner.mover.placer().written(&over), mask: 1 << x | 1 << y, vector: None };
         let bottom = self.shift_to_level(&mut place, -hole.depth_mm, z)?;
