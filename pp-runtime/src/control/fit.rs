@@ -437,6 +437,7 @@ fn cycle_abilities(codes: &Spellings, demands: Demands<'_>) -> CycleAbilities {
         unused: (!master && threads).then_some(UnusedCycles::OtherSpindle),
         tap: cycles.abilities.tap && master,
         fine_bore: cycles.abilities.fine_bore.filter(|_| master),
+        tap_is_motion: matches!(cycles.form, CycleForm::Codes(CycleCodes { thread: ThreadCodes::Motion(_), .. })),
         tap_stops_spindle: cycles.abilities.tap_stops_spindle && !floats,
         tap_per_revolution: cycles.abilities.tap_uses_feed && !codes.per_revolution.is_empty(),
         ..cycles.abilities

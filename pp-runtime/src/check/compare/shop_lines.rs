@@ -118,6 +118,12 @@ impl ShopLines {
                 OwnPlace::Safety | OwnPlace::MillTurn | OwnPlace::OperationStart => true,
                 _ => false,
             }));
+            missing.extend(self.too_often("before this operation", |place| match place {
+                OwnPlace::Start => before.is_none(),
+                OwnPlace::OperationEnd => open,
+                OwnPlace::End => false,
+                _ => true,
+            }));
         }
         self.lines.forget();
         missing
@@ -189,18 +195,24 @@ impl ShopLines {
         })
     }
 
-    /// The end code: what is missing before it.
+    /// The end code: what is missing before it, and what has come too often.
     pub(super) fn end(&mut self) -> Vec<String> {
         let open = std::mem::take(&mut self.in_operation) || self.has_left;
         let tool = self.last_tool.map(|(tool, _)| tool);
         let checked = self.is_checked(tool);
-        self.missing("before the end code", |place| match place {
+        let mut wrong = self.missing("before the end code", |place| match place {
             OwnPlace::End => true,
             OwnPlace::OperationEnd => open,
             OwnPlace::CheckTool => checked,
             OwnPlace::ToolEnd { tool: of } => tool == Some(Some(of)),
             _ => false,
-        })
+        });
+        wrong.extend(self.too_often("before the end code", |place| match place {
+            OwnPlace::Start | OwnPlace::OperationStart => tool.is_none(),
+            OwnPlace::OperationEnd => open,
+            _ => true,
+        }));
+        wrong
     }
 
     /// Whether blocks that measure the tool in the spindle, or look for its breakage, have not come yet and have to.
@@ -222,6 +234,12 @@ impl ShopLines {
     /// Whether a tool that has cut is checked for breakage.
     fn is_checked(&self, tool: Option<Option<u32>>) -> bool {
         tool.flatten().is_some_and(|tool| self.checked.contains(&tool))
+    }
+
+    /// What has come more often than the places at which it is due have it.
+    fn too_often(&self, at: &str, due: impl Fn(OwnPlace) -> bool) -> Vec<String> {
+        let lines = self.lines.needless(due).into_iter();
+        lines.map(|text| format!("`{text}` comes once more than it has to {at}")).collect()
     }
 
     fn missing(&self, at: &str, needed: impl Fn(OwnPlace) -> bool) -> Vec<String> {

@@ -563,21 +563,32 @@ impl PlacedLines {
     pub(crate) fn comes_too_often(&mut self, line: &[u8]) -> bool {
         self.bare.forget();
         let text = self.bare.text(line, &self.facts);
-        let of_place = |place: OwnPlace| match place {
-            OwnPlace::Start | OwnPlace::End | OwnPlace::OperationStart | OwnPlace::OperationEnd => Some(1),
-            // After the change, and before the next one.
-            OwnPlace::MeasureTool | OwnPlace::ToolStart { .. } => Some(self.tools.max(1)),
-            OwnPlace::ToolChange | OwnPlace::CheckTool | OwnPlace::ToolEnd { .. } => Some(self.tools + 1),
-            _ => None,
-        };
+        let tools = self.tools;
         let of_text =
             || self.by_text.possible(text).map(|index| &self.lines[index]).filter(|own| matches(&own.text, text));
         let most_of = |own: &PlacedLine| -> Option<usize> {
-            let most = own.places.iter().map(|(place, times)| Some(of_place(*place).filter(|_| !own.common)? * times));
+            let most =
+                own.places.iter().map(|(place, times)| Some(most(*place, tools).filter(|_| !own.common)? * times));
             most.sum()
         };
         let most: Option<usize> = of_text().map(most_of).sum();
         of_text().next().zip(most).is_some_and(|(own, most)| own.times > most)
+    }
+
+    /// Lines of several places that have come more often than those of them that are due at one time. A line with
+    /// fields may be that of another place.
+    pub(crate) fn needless(&self, due: impl Fn(OwnPlace) -> bool) -> Vec<String> {
+        let most_of = |own: &PlacedLine| -> Option<usize> {
+            let most = own
+                .places
+                .iter()
+                .map(|(place, times)| Some(most(*place, self.tools)? * times * usize::from(due(*place))));
+            most.sum()
+        };
+        let is_single =
+            |own: &PlacedLine| self.lines.iter().filter(|other| matches(&other.text, &own.text)).count() == 1;
+        let several = self.lines.iter().filter(|own| own.places.len() > 1 && !own.common && is_single(own));
+        several.filter(|own| most_of(own).is_some_and(|most| own.times > most)).map(|own| shown(&own.text)).collect()
     }
 
     /// How often work of a tool has begun or ended since none has come.
@@ -647,6 +658,18 @@ impl PlacedLines {
             each.skip(own.times).map(|place| (place, shown(&own.text))).collect::<Vec<_>>()
         };
         self.lines.iter().flat_map(of_line).collect()
+    }
+}
+
+/// How often the lines of a place may come since none has come, where that is known. `tools`: how often work of a tool
+/// has begun or ended.
+fn most(place: OwnPlace, tools: usize) -> Option<usize> {
+    match place {
+        OwnPlace::Start | OwnPlace::End | OwnPlace::OperationStart | OwnPlace::OperationEnd => Some(1),
+        // After the change, and before the next one.
+        OwnPlace::MeasureTool | OwnPlace::ToolStart { .. } => Some(tools.max(1)),
+        OwnPlace::ToolChange | OwnPlace::CheckTool | OwnPlace::ToolEnd { .. } => Some(tools + 1),
+        _ => None,
     }
 }
 

@@ -185,7 +185,7 @@ impl HoleWriter {
         out.select_xy_plane()
     }
 
-    /// Writes a thread as motions: rapid above it, rapid to its start, tapping motion, rapid to the return level.
+    /// Writes a thread from where the tool is, over the hole: tapping motion, rapid to the return level.
     fn thread(
         &mut self,
         cycle: &CannedCycle,
@@ -193,15 +193,12 @@ impl HoleWriter {
         pitch: Decimal,
         out: &mut ModalWriter<'_>,
     ) -> io::Result<()> {
-        // The rapid to the position would be another hole of the cycle before.
         self.before_cycle(out)?;
         let level = |units: i64| {
             let mut words = AxisWords { mask: 1 << cycle.z, ..AxisWords::default() };
             words.units[cycle.z] = units;
             words
         };
-        out.rapid(&cycle.words)?;
-        out.rapid(&level(cycle.clearance))?;
         out.motion(code);
         out.axis_words(&level(cycle.bottom), true);
         out.word("K", pitch);

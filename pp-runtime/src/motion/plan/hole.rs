@@ -65,7 +65,7 @@ impl NoCycle {
             Self::TipControl => "there are no cycles under tip control".to_owned(),
             Self::NotOrthogonal => "the coordinates of the program are not orthogonal here".to_owned(),
             Self::Leans { off_mm, .. } => format!(
-                "Z of the program leads off the axis of this hole, by {off_mm:.3} mm over its levels, more than `tolerance`"
+                "Z of the program leads off the axis of this hole, by {off_mm:.3} mm over its levels or on the way to it, more than `tolerance`"
             ),
             Self::LevelsNotInOrder => "the levels of the hole are not in order".to_owned(),
             Self::LongDwell => "the dwell is too long for the cycle".to_owned(),
@@ -183,14 +183,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         }
         self.planner.mover.output_mut().set_reason(BlockReason::Hole);
         self.planner.check_state(&bottom)?;
-        let mut planned = self.cycle()?;
-        if let Ok((cycle, _)) = &planned
-            && self.is_led_otherwise(cycle)?
-        {
-            self.lead_over()?;
-            planned = self.cycle()?;
-        }
-        match planned {
+        match self.cycle()? {
             Ok((cycle, place)) => self.run_cycle(&cycle, &place),
             Err(why) if matches!(self.hole.drilling, Drilling::Tap { .. }) => {
                 let text = format!(
@@ -254,17 +247,9 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         self.go(&Move { pose: self.hole.level(height), rapid: false, feed: self.hole.feed })
     }
 
-    /// Whether a cycle leads the tool over its hole on another path than that of the hole: the control keeps Z on the
-    /// way over it and X and Y on the way down, and the hole its height above the top and its axis.
-    fn is_led_otherwise(&mut self, cycle: &CannedCycle) -> Result<bool, Fault> {
-        let here = *self.planner.mover.here();
-        let height = self.height().max(self.hole.clearance_mm);
-        let mut over = here;
-        self.planner.mover.shift(&mut over, self.hole.level(height).tip)?;
-        let placer = self.planner.mover.placer();
-        let (here, over, to) = (placer.written(&here), placer.written(&over), cycle.words);
-        let strays = |index: usize| to.mask & 1 << index != 0 && over[index] != to.units[index];
-        Ok(here[cycle.z] != over[cycle.z] || (0..over.len()).any(strays))
+    /// Whether the cycle of the hole is a motion from over the hole.
+    fn is_motion(&self) -> bool {
+        matches!(self.hole.drilling, Drilling::Tap { .. }) && self.planner.abilities.cycles.tap_is_motion
     }
 
     /// Leads the tool over the hole, at its height above the top, and to the clearance level.
@@ -345,6 +330,12 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let mut place = *self.planner.mover.here();
         self.planner.mover.shift(&mut place, hole.level(hole.clearance_mm).tip)?;
         let (over, [x, y, z]) = (place, chain);
+        // A cycle leads the tool over the hole at the level at which it is.
+        let below_mm =
+            (over.words[z] - self.planner.mover.here().words[z]) as f64 * self.planner.mover.placer().unit_mm();
+        if below_mm > allowed && !self.is_motion() {
+            return Ok(Err(NoCycle::Leans { off_mm: below_mm, rounded: false }));
+        }
         let words =
             AxisWords { units: self.planner.mover.placer().written(&over), mask: 1 << x | 1 << y, vector: None };
         let bottom = self.shift_to_level(&mut place, -hole.depth_mm, z)?;
@@ -652,7 +643,9 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             _ => 0.0,
         };
         self.planner.mover.watch_plunge(&hole.level(height), &hole.level(hole.clearance_mm));
-        if cycle.back != cycle.clearance && began != cycle.back && !can.returns_to_any_level {
+        if self.is_motion() {
+            self.lead_over()?;
+        } else if cycle.back != cycle.clearance && began != cycle.back && !can.returns_to_any_level {
             // Such a cycle returns to the level at which it began.
             self.rapid_to(height)?;
             self.rapid_to(hole.return_mm)?;

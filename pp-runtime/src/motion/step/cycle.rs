@@ -30,6 +30,8 @@ pub struct CycleAbilities {
     pub returns_to_any_level: bool,
     /// The retract between two steps, and the gap left by the rapid that follows it, are parameters of the cycle.
     pub programs_gap: bool,
+    /// Tapping is a motion along Z from where the tool is, over the hole.
+    pub tap_is_motion: bool,
     /// The spindle is off after tapping.
     pub tap_stops_spindle: bool,
     /// Tapping takes an F word.
@@ -77,6 +79,7 @@ impl CycleAbilities {
         longest_dwell_ms: u32::MAX,
         returns_to_any_level: false,
         programs_gap: false,
+        tap_is_motion: false,
         tap_stops_spindle: false,
         tap_uses_feed: false,
         tap_per_revolution: false,

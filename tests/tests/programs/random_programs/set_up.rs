@@ -268,7 +268,8 @@ impl File<'_> {
         if keys.clone().any(|line| line.starts_with("transition")) {
             return;
         }
-        for (key, code) in [("operation_start", "M78"), ("operation_end", "M79")] {
+        let at_end = if random.chance(0.3) { "M78" } else { "M79" };
+        for (key, code) in [("operation_start", "M78"), ("operation_end", at_end)] {
             if random.chance(0.15) {
                 self.put("program", format!("{key} = [\"{code}\"]"));
             }

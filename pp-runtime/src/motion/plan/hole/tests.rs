@@ -170,7 +170,7 @@ fn the_motion_to_a_thread_is_no_other_hole_of_the_cycle_before() {
     let tap = hole([9.0, 2.0, 0.0], Drilling::Tap { pitch_mm: Some(1.0) }, 2.0, None);
     let events = after_cut([0.0, 0.0, 2.0], &[hole([1.0, 2.0, 0.0], Drilling::Drill, 2.0, None), tap]);
     let found = lines(&set_up(CycleOutput::Native), &events);
-    assert_eq!(found[..4], ["G99 G81 X1 Y2 Z-5 R2 F100", "G80", "G0 X9", "Z2"]);
+    assert_eq!(found[..4], ["G99 G81 X1 Y2 Z-5 R2 F100", "G80", "G0 X9 Z2", "G33.1 Z-5 K1"]);
 }
 
 #[test]
