@@ -192,6 +192,16 @@ impl Remarks {
     }
 }
 
+/// A count with its noun: `1 tool`, `2 tools`, `2 stretches`.
+pub(crate) fn counted(count: u64, word: &str) -> String {
+    let ending = match word.ends_with("ch") {
+        _ if count == 1 => "",
+        true => "es",
+        false => "s",
+    };
+    format!("{} {word}{ending}", grouped(count))
+}
+
 /// Formats a number in groups of three digits: `48 211`.
 pub(crate) fn grouped(number: u64) -> String {
     let digits = number.to_string();

@@ -51,6 +51,8 @@ mod motion;
 #[cfg(feature = "std")]
 mod nc;
 #[cfg(feature = "std")]
+mod options;
+#[cfg(feature = "std")]
 pub mod post;
 #[cfg(feature = "std")]
 pub mod program;

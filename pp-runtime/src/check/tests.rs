@@ -14,7 +14,7 @@ use std::io::Cursor;
 use super::*;
 use crate::config::Config;
 use crate::control::Control;
-use crate::motion::Mode;
+use crate::options::Mode;
 use crate::{control, post};
 
 crate::machine! {

@@ -10,9 +10,10 @@ use crate::check::read::{Effect, Family, OwnPlace, RolloverRule, coolant};
 use crate::cl::{ReadingOptions, StatedTool};
 use crate::control::{self, BlockNumbers, Control, LineEffect, Messages, RetractForm, Spellings, ToolSpindle};
 use crate::kinematics::{AnyMachine, AxisKind, Machine, Side};
-use crate::motion::{
+use crate::motion::rotaries_of;
+use crate::options::{
     BoreRetract, CutterPath, Links, Mode, OperationChoice, OperationEntry, Operations, OptionalStops, PathNorm, Rapid,
-    Rewind, Smoothing, StretchMode, TcpFrame, TcpWords, ThreadFeed, ToolPosture, Transition, Wrap, rotaries_of,
+    Rewind, Smoothing, StretchMode, TcpFrame, TcpWords, ThreadFeed, ToolPosture, Transition, Wrap,
 };
 use crate::program::Units;
 use crate::set_up::LengthMode;

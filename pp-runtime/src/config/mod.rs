@@ -38,13 +38,14 @@ use std::collections::BTreeSet;
 use crate::cl::{self as reading, OwnStatement};
 use crate::control::{self, Control, ControlOptions, Demands, LineEffect, take_out_lacking};
 use crate::keys::{OneOf, options};
-use crate::motion::{Policy, StandstillWord};
+use crate::motion::Policy;
 use crate::nc;
+use crate::options::StandstillWord;
 use crate::program::Units;
 use crate::set_up::SetUp;
 
 pub(crate) use crate::keys::{list, nearest};
-pub use crate::motion::{Mode, MotionOptions, Operations, TcpFrame, TcpWords, ToolPosture, Transition};
+pub use crate::options::{Mode, MotionOptions, Operations, TcpFrame, TcpWords, ToolPosture, Transition};
 pub use checking::NotCheckable;
 pub(crate) use edits::EditOptions;
 pub use print::print;

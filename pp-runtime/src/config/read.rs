@@ -7,7 +7,7 @@ use crate::control::{CONTROLS, Control};
 use crate::diag::Diagnostics;
 use crate::keys::{KeyReader, KeyScope, KeyTable, Keys};
 use crate::kinematics::{AnyMachine, Machine};
-use crate::motion::Rapid;
+use crate::options::Rapid;
 use crate::program::Units;
 use crate::set_up::{LengthMode, along_axes};
 

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use crate::control::{CONTROLS, LinuxCnc};
 use crate::kinematics::Limits;
 use crate::kinematics::Machine as _;
-use crate::motion::{Rapid, Retract};
+use crate::options::{Rapid, Retract};
 use crate::program::{Coolant, Coolants, Pressure, Rotation};
 use crate::set_up::Stock;
 

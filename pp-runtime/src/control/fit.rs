@@ -12,13 +12,14 @@ use super::state_values::ControlState;
 use super::template::{self, OF_TOOL};
 use crate::keys::list;
 use crate::kinematics::{AnyMachine, Side};
-use crate::motion::tolerances::INDEX_STEP_NOISE;
 use crate::motion::{
-    self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PlaneAbility, Registers, StretchMode, ThreadFeed,
-    TipAbility, TipStart, Transition, UnusedCycles, UsableModes, Wrap, rotaries_of,
+    self, Abilities, CutterRadius, CycleAbilities, OperationBlocks, PlaneAbility, Registers, TipAbility, TipStart,
+    UnusedCycles, UsableModes, rotaries_of,
 };
+use crate::options::{StretchMode, ThreadFeed, Transition, Wrap};
 use crate::program::{Coolant, Units};
 use crate::set_up::LengthMode;
+use crate::tolerance::writer::INDEX_STEP_NOISE;
 
 /// Largest number of characters of a tool name.
 const LONGEST_TOOL_NAME: usize = 32;

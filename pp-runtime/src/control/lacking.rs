@@ -9,7 +9,7 @@
 use super::dialects::{Control, ControlFunction, Spellings};
 use super::options::{BlockNumbers, ControlOptions, Messages};
 use super::state_values::ControlState;
-use crate::motion::{OperationTable, PathNorm, Smoothing};
+use crate::options::{OperationTable, PathNorm, Smoothing};
 
 /// Takes the settings that the control lacks out of the options. Returns one sentence each: the setting, and what the
 /// program has instead.

@@ -5,9 +5,8 @@ use std::collections::BTreeMap;
 use super::options::Demands;
 use super::options::{ControlOptions, ProgramBlocks};
 use crate::kinematics::{AnyMachine, AxisKind, Side};
-use crate::motion::{
-    Abilities, StretchMode, StretchModes, TcpWords, ThreadFeed, TipStart, ToolPosture, Wrap, rotaries_of,
-};
+use crate::motion::{Abilities, StretchModes, TipStart, rotaries_of};
+use crate::options::{StretchMode, TcpWords, ThreadFeed, ToolPosture, Wrap};
 use crate::program::Units;
 
 /// The data of a job that the encoder reads.

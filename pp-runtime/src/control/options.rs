@@ -9,8 +9,9 @@ use crate::keys::{
     Whole, YesNo, list, nearest, options,
 };
 use crate::kinematics::AxisKind;
-use crate::motion::{self, PathNorm, Policy, Smoothing, nearly_zero};
+use crate::motion::Policy;
 use crate::nc::Formats;
+use crate::options::{MotionOptions, PathNorm, Smoothing, nearly_zero};
 use crate::program::Coolant;
 use crate::set_up::SetUp;
 
@@ -25,7 +26,7 @@ pub(crate) struct Demands<'a> {
     /// Set-up of machine, part and tools.
     pub set_up: &'a SetUp,
     /// Settings of motion planning.
-    pub motion: &'a motion::MotionOptions,
+    pub motion: &'a MotionOptions,
     /// Settings that replace codes and values of the control.
     pub options: &'a ControlOptions,
     /// Digits of the numbers in words.

@@ -15,8 +15,9 @@ use std::collections::BTreeMap;
 use std::io;
 
 use super::*;
-use crate::motion::{AxisWords, FeedWord, MAX_AXES, Mode, Step};
+use crate::motion::{AxisWords, FeedWord, MAX_AXES, Step};
 use crate::nc::Decimal;
+use crate::options::Mode;
 use crate::program::{Coolant, Rotation, Units};
 
 type Buffer<'b> = Encoder<'b>;

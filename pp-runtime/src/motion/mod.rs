@@ -36,13 +36,12 @@ mod course;
 mod fault;
 mod geometry;
 mod modes;
-mod options;
 mod place;
 mod plan;
+mod policy;
 mod rotary;
 mod source;
 mod step;
-pub(crate) mod tolerances;
 
 #[cfg(test)]
 mod tests;
@@ -54,14 +53,6 @@ pub use fault::PlanningError;
 pub(crate) use geometry::ArcPlane;
 pub(crate) use geometry::{Circle, StraightCorners, extent};
 pub(crate) use modes::{ModeFinder, StretchModes};
-#[cfg(test)]
-pub(crate) use options::{ArcForm, ArcOutput, ClampCodes, Retract};
-pub(crate) use options::{
-    BoreRetract, CourseOptions, CutterPath, CycleOutput, Links, OperationChoice, OperationEntry, OperationSettings,
-    OperationTable, OptionalStops, PathNorm, Policy, Rapid, Rewind, Singular, Smoothing, StandstillWord, StretchMode,
-    ThreadFeed, Wrap, nearly_zero,
-};
-pub use options::{Mode, MotionOptions, Operations, TcpFrame, TcpWords, ToolPosture, Transition};
 pub(crate) use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, TipStart, UsableModes, rotaries_of, unsuited};
 #[cfg(test)]
 pub(crate) use plan::obligations;
@@ -70,6 +61,7 @@ pub(crate) use plan::{
     Threads, hole_extent,
 };
 pub use plan::{Planner, Statistics, Times};
+pub(crate) use policy::Policy;
 pub use rotary::Cost;
 pub(crate) use source::{Begins, ItemAction, MotionIndex, OperationStart, ProgramItem};
 pub use source::{Source, Stage};

@@ -17,11 +17,12 @@
 use nalgebra::UnitVector3;
 
 use crate::motion::geometry::angle_between;
-use crate::motion::options::{Mode, Policy, StretchMode};
 use crate::motion::place::UsableModes;
+use crate::motion::policy::Policy;
 use crate::motion::source::{Begins, ItemAction, MotionIndex, ProgramItem};
-use crate::motion::tolerances::HELD_AXIS;
+use crate::options::{Mode, StretchMode};
 use crate::program::{CutterSide, Event, MachineFunction};
+use crate::tolerance::writer::HELD_AXIS;
 
 /// The mode of each stretch of a program, in its order.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

@@ -13,7 +13,7 @@ use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::machines::{Ay, Cb, Head, Xyw, Xyz};
 use crate::kinematics::{AxisKind, Limits, Machine, Pose};
 use crate::motion::{DiscardSteps, MovingAxes, Navigator, Planner, PlanningError, Sink, Source, Stage, Statistics};
-use crate::motion::{Rapid, Transition, Wrap};
+use crate::options::{Rapid, Transition, Wrap};
 use crate::program::Units;
 use crate::program::{
     ClearancePlane, Compensation, Coolant, CutterSide, Dwell, Event, Feed, Interruption, Location, MachineFunction,

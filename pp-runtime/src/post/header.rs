@@ -12,17 +12,17 @@ use crate::control::{
     RetractForm, StepCycles, TipControlSwitch,
 };
 use crate::kinematics::{AnyMachine, Axis, AxisKind, DimensionKind, Limits, Side, Sign, digest};
-use crate::motion::{
-    CutterPath, CycleOutput, Links, StretchMode, StretchModes, TcpFrame, TipStart, ToolPosture, Wrap, rotaries_of,
-};
+use crate::motion::{StretchModes, TipStart, rotaries_of};
 use crate::nc::{Decimal, write_decimal};
+use crate::options::{CutterPath, CycleOutput, Links, StretchMode, TcpFrame, ToolPosture, Wrap};
 use crate::program::{Rotation, Shown, Units};
 use crate::set_up::{AxisBounds, ClPoint, GivenTool};
 use crate::set_up::{LengthMode, ProgramZero, Stock, part_angles};
 
-use super::survey::{Survey, ToolUse};
+use super::survey::{Survey, ToolUse, UsedModes};
 use super::{Job, operations};
-use crate::motion::tolerances::{CONVERTED_NOISE, THINNEST_BLANK};
+use crate::diag::counted;
+use crate::tolerance::writer::{CONVERTED_NOISE, THINNEST_BLANK};
 
 /// The header and the data that it is written from.
 pub(crate) struct Header<'a> {
@@ -349,16 +349,16 @@ fn rounded(degrees: f64) -> f64 {
 fn frames(vote: &FrameVote, config: &Config) -> Vec<String> {
     let by = match (vote.given, vote.confirmed) {
         (0, 0) => String::new(),
-        (0, confirmed) => format!(", confirmed by {}", super::counted(confirmed, "point")),
+        (0, confirmed) => format!(", confirmed by {}", counted(confirmed, "point")),
         (_, 0) => ", as given".to_owned(),
-        (_, confirmed) => format!(", as given, confirmed by {}", super::counted(confirmed, "point")),
+        (_, confirmed) => format!(", as given, confirmed by {}", counted(confirmed, "point")),
     };
     let into =
         if config.set_up.set_ups.is_empty() { "transformed into the first" } else { "transformed within its set-up" };
     [(vote.mapped, into), (vote.in_first, "points in the first already")]
         .into_iter()
         .filter(|(count, _)| *count > 0)
-        .map(|(count, how)| format!("{}: {how}{by}", super::counted(count, "further frame")))
+        .map(|(count, how)| format!("{}: {how}{by}", counted(count, "further frame")))
         .collect()
 }
 
@@ -378,7 +378,7 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     let ArcVote { arcs, agree, against, given } = survey.file.arcs;
     let decided = agree + against;
     if arcs > 0 {
-        let arcs = super::counted(arcs, "arc");
+        let arcs = counted(arcs, "arc");
         list.push(match (given, decided) {
             (true, _) => format!("{arcs}, sense as given"),
             (false, 0) => format!("{arcs}, sense by form, not confirmed by a neighbouring line"),
@@ -389,7 +389,7 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     }
     list.extend(frames(&survey.file.frames, config));
     if survey.file.setup_changes > 0 {
-        let times = super::counted(survey.file.setup_changes, "time");
+        let times = counted(survey.file.setup_changes, "time");
         list.push(format!("CSYS changes {times}: all points are read in one common frame"));
     }
     if !config.cl.inert.is_empty() {
@@ -497,7 +497,7 @@ impl Header<'_> {
                 "MACHINE {}, CONTROL {}, MODE {}",
                 self.machine.name(),
                 self.job.control.spellings().title,
-                modes(config, self.survey)
+                UsedModes::of(config, self.survey)
             ),
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(self.job.control, config)),
             format!("PART ORIGIN {} from the reference point of the table", self.point(config.set_up.part_origin)),
@@ -547,7 +547,7 @@ impl Header<'_> {
     fn short(&self) -> Vec<String> {
         let (config, control) = (self.job.config, self.job.control);
         let mut lines = vec![
-            format!("MACHINE {}, MODE {}", self.machine.name(), modes(config, self.survey)),
+            format!("MACHINE {}, MODE {}", self.machine.name(), UsedModes::of(config, self.survey)),
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(control, config)),
         ];
         lines.extend(set_up(self.machine, control, config, self.survey));
@@ -789,7 +789,7 @@ impl Header<'_> {
         if !registers.address.is_empty() && config.set_up.length_mode == LengthMode::Tip {
             text += &format!(" {register}");
         }
-        text += &format!(", {}", super::counted(tool.operations, "operation"));
+        text += &format!(", {}", counted(tool.operations, "operation"));
         if let Some((low, high)) = tool.tip_z_mm {
             text += &format!(", tip Z {} to {}", self.length(low), self.length(high));
         }
@@ -808,16 +808,6 @@ impl Header<'_> {
             lines.push(format!("T{number} posted with L = {length}: {who}"));
         }
         lines
-    }
-}
-
-/// The mode of the configuration, and those of the stretches where it is chosen for each.
-pub(crate) fn modes(config: &Config, survey: &Survey) -> String {
-    let mode = config.motion.mode;
-    let used: Vec<&str> = survey.modes.used().map(StretchMode::name).collect();
-    match config.motion.mode_of_all() {
-        Some(_) => mode.name().to_owned(),
-        None => format!("{} ({})", mode.name(), used.join(", ")),
     }
 }
 

@@ -3,8 +3,9 @@
 use std::ops::RangeInclusive;
 
 use crate::config::{Config, list, nearest};
-use crate::diag::{Diagnostic, Severity};
-use crate::motion::{Mode, OperationChoice, OperationSettings, OperationStart, Operations, Singular};
+use crate::diag::{Diagnostic, Severity, counted};
+use crate::motion::OperationStart;
+use crate::options::{Mode, OperationChoice, OperationSettings, Operations, Singular};
 use crate::program::{Location, Shown};
 
 /// Largest number of operation names that are kept for a message.
@@ -64,7 +65,7 @@ impl SelectedOperations {
             Operations::Range(first, last) => {
                 let missing = last.unwrap_or(*first).max(*first);
                 if missing > operations {
-                    let count = super::counted(operations, "operation");
+                    let count = counted(operations, "operation");
                     Err(format!("the CL data has {count}: there is no operation {missing}"))
                 } else {
                     Ok(*first..=last.map_or(u64::MAX, |last| last.max(*first)))

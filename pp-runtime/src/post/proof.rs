@@ -15,8 +15,9 @@ use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, AxisKind, Limits, Side};
-use crate::motion::{Mode, OperationTable, StretchModes};
+use crate::motion::StretchModes;
 use crate::motion::{Planner, PlanningError, ProofProgram, Sweep, rotaries_of};
+use crate::options::{Mode, OperationTable};
 use crate::program::ToolCall;
 use crate::program::Units;
 

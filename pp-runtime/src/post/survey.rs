@@ -4,6 +4,7 @@
 //! Plans the course of the rotary axes in the same pass, where a machine is given. Writes nothing.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::{self, Display, Formatter};
 use std::io;
 use std::ops::{ControlFlow, RangeInclusive};
 
@@ -12,20 +13,21 @@ use nalgebra::UnitVector3;
 use crate::cl::{ClEvents, FileFacts};
 use crate::config::Config;
 use crate::control::StepCycles;
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, Severity, counted};
 use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::{
-    Begins, Course, ItemAction, ModeFinder, MotionIndex, Navigator, OperationSettings, OperationStart, Operations,
-    Policy, ProgramItem, Source, Stage, StretchModes, extent, hole_extent,
+    Begins, Course, ItemAction, ModeFinder, MotionIndex, Navigator, OperationStart, Policy, ProgramItem, Source, Stage,
+    StretchModes, extent, hole_extent,
 };
+use crate::options::{Mode, OperationSettings, Operations, StretchMode};
 use crate::program::{
     CutterSide, Event, Interruption, Location, MachineFunction, NewStart, Spindle, TextKind, ToolCall,
 };
 use crate::set_up::{FurtherSetUp, GivenTool};
 
 use super::operations::{OperationNames, SelectedOperations};
-use crate::motion::tolerances::SAME_AXIS;
+use crate::tolerance::writer::SAME_AXIS;
 
 /// Largest number of different tools of a program; bounds the memory and the header.
 const MOST_TOOLS: usize = 1000;
@@ -107,8 +109,35 @@ pub struct Stretches {
 impl Stretches {
     /// The line of the summary.
     pub(crate) fn summary(self) -> String {
-        let (held, turning) = (super::counted(self.held, "stretch"), super::counted(self.turning, "stretch"));
+        let (held, turning) = (counted(self.held, "stretch"), counted(self.turning, "stretch"));
         format!("tool axis: held in {held}, rotating at feed in {turning}")
+    }
+}
+
+/// Modes of the words of a program.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct UsedModes {
+    /// That of the configuration.
+    pub configured: Mode,
+    /// Those of the stretches, where it is chosen for each.
+    pub chosen: Vec<StretchMode>,
+}
+
+impl UsedModes {
+    pub(super) fn of(config: &Config, survey: &Survey) -> Self {
+        let chosen = match config.motion.mode_of_all() {
+            Some(_) => Vec::new(),
+            None => survey.modes.used().collect(),
+        };
+        Self { configured: config.motion.mode, chosen }
+    }
+}
+
+impl Display for UsedModes {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        let chosen: Vec<&str> = self.chosen.iter().map(|mode| mode.name()).collect();
+        out.write_str(self.configured.name())?;
+        if chosen.is_empty() { Ok(()) } else { write!(out, " ({})", chosen.join(", ")) }
     }
 }
 

@@ -15,7 +15,7 @@ use crate::cl::Insert;
 use crate::config::Config;
 use crate::control::{BlockNumbers, Control};
 use crate::kinematics::AnyMachine;
-use crate::motion::{CourseOptions, Mode, Operations};
+use crate::options::{CourseOptions, Mode, Operations};
 use crate::transformation::SheetControl;
 
 use super::text_file::read_text;

@@ -11,7 +11,7 @@ use clap::{Arg, Command, ValueEnum};
 use crate::cl::{Dialect, Frames, Sense, not_inert};
 use crate::control::{CONTROLS, Control};
 use crate::kinematics::Branch;
-use crate::motion::{MotionOptions, Operations};
+use crate::options::{MotionOptions, Operations};
 use crate::program::Units;
 use crate::view::ReportForm;
 

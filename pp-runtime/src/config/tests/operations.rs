@@ -1,6 +1,6 @@
 //! The table `[operations]`.
 
-use crate::motion::{OperationChoice, OperationSettings, OperationTable, Singular, Smoothing};
+use crate::options::{OperationChoice, OperationSettings, OperationTable, Singular, Smoothing};
 
 use super::*;
 

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Rotation3};
 use super::super::Config;
 use super::super::sample::Sample;
 use crate::control::LinuxCnc;
-use crate::motion::ClampCodes;
+use crate::options::ClampCodes;
 use crate::set_up::{LengthMode, ProgramZero, Stock};
 
 fn rotation(text: &str) -> Rotation3<f64> {

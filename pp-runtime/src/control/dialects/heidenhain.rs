@@ -56,8 +56,9 @@
 //! 640). F in cycles, Q206, is in the same unit as elsewhere in the program, in tenths of an inch as well: from memory,
 //! since no public page states it; the header of an inch program with cycles says so.
 
-use crate::motion::{CycleAbilities, FineBoreAbility, PathNorm, PlaneAngles, PoseRule, Registers};
+use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule, Registers};
 use crate::nc::{Formats, Numerals};
+use crate::options::PathNorm;
 
 use super::control::{BlankWords, Control, LengthGuard, PlaneGuard, numbered};
 use super::functions::ControlFunction;
@@ -66,7 +67,7 @@ use super::spellings::{
     LengthCodes, LinearRapids, MachineRetract, RetractForm, Spellings, TiltedPlaneCodes, TipControlCodes,
     ToolAxisWords, printable,
 };
-use crate::motion::tolerances::GUARDED_SINES;
+use crate::tolerance::writer::GUARDED_SINES;
 
 /// The Heidenhain dialect.
 #[derive(Debug, Clone, Copy)]

@@ -9,8 +9,9 @@
 //! controls write it; LinuxCNC: `interp_read.cc`, block delete. Fanuc and Haas read `/` at the head of a block so, and
 //! elsewhere in a block as a division (from memory).
 
-use crate::motion::{CycleAbilities, PathNorm, Registers};
+use crate::motion::{CycleAbilities, Registers};
 use crate::nc::{Formats, Numerals};
+use crate::options::PathNorm;
 
 use super::spellings::{
     ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, LengthCall, LengthCodes, LinearRapids,

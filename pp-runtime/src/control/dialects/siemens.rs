@@ -57,9 +57,9 @@
 //! multiple of the step (from memory: the last two steps share the rest equally): in any case there are as many steps
 //! as in the CL data, and none is longer.
 
-use crate::motion::tolerances::GUARDED_SINES;
 use crate::motion::{CycleAbilities, FineBoreAbility, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
+use crate::tolerance::writer::GUARDED_SINES;
 
 use super::control::{BlankWords, Control, LengthGuard, PlaneGuard, RadiusGuard, numbered};
 use super::functions::ControlFunction;

@@ -2,10 +2,10 @@
 //!
 //! Texts with braces are [templates](crate::control::template).
 
-use crate::motion::PathNorm;
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers, StraightCorners};
 use crate::nc::Formats;
 use crate::nc::Numerals;
+use crate::options::PathNorm;
 use crate::program::Rotation;
 
 use super::functions::ControlFunction;

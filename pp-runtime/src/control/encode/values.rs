@@ -1,8 +1,9 @@
 //! Values of template fields: data of the program, and of the tool, plane and hole that are being written.
 
 use crate::control::template::{self, Field};
-use crate::motion::{BoreRetract, CannedCycle, CannedKind};
+use crate::motion::{CannedCycle, CannedKind};
 use crate::nc::{Decimal, Numerals, write_number};
+use crate::options::BoreRetract;
 use crate::program::Units;
 
 /// Values of template fields; see [`Field`] for each.

@@ -3,7 +3,7 @@
 use super::*;
 use crate::config::sample::Sample;
 use crate::config::{Config, starting_point};
-use crate::motion::{OperationChoice, OperationEntry, OperationSettings, PathNorm, Smoothing, TcpWords};
+use crate::options::{OperationChoice, OperationEntry, OperationSettings, PathNorm, Smoothing, TcpWords};
 use crate::set_up::FurtherSetUp;
 
 fn further(offset: &str) -> FurtherSetUp {

@@ -1,7 +1,7 @@
 //! Spindle, coolant, dwells and smoothing.
 
 use super::*;
-use crate::motion::Smoothing;
+use crate::options::Smoothing;
 
 #[test]
 fn a_dwell_of_haas_has_its_point_where_lengths_have_none() {

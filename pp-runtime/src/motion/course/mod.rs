@@ -28,7 +28,8 @@ use nalgebra::UnitVector3;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::math::smaller;
 use crate::kinematics::{AnyMachine, Branch, Pose};
-use crate::motion::options::{Mode, Policy, Singular, StretchMode};
+use crate::motion::policy::Policy;
+use crate::options::{Mode, Singular, StretchMode};
 use crate::program::Units;
 use crate::program::{Event, Location, MachineFunction, NewStart, ReferenceGeometry};
 

@@ -9,8 +9,8 @@ use crate::kinematics::{Branch, Rotary};
 use crate::motion::course::packed::PackedChanges;
 use crate::motion::course::{CourseAction, CourseChange};
 use crate::motion::rotary::{Cost, RotaryMetric, RotaryWords, RotationSense};
-use crate::motion::tolerances::SAME_WORD_AFTER_POLE;
 use crate::shortcut::Shortcut;
+use crate::tolerance::writer::SAME_WORD_AFTER_POLE;
 
 /// Number of changes above which chains are compacted for the first time; then at twice the number that was left.
 const COMPACT_ABOVE: usize = 4096;

@@ -8,7 +8,7 @@ use crate::motion::course::search::{RotaryState, preference};
 use crate::motion::geometry::{PathSegment, angle_between};
 use crate::motion::place::Placer;
 use crate::motion::rotary::{MAX_TURNS, RotaryWords};
-use crate::motion::tolerances::{DIRECTION_AT_POLE, NO_GREAT_CIRCLE, SAME_WORD_AFTER_POLE, SLOPE_NEAR_LIMIT};
+use crate::tolerance::writer::{DIRECTION_AT_POLE, NO_GREAT_CIRCLE, SAME_WORD_AFTER_POLE, SLOPE_NEAR_LIMIT};
 
 /// Parts of a cut near a limit whose ends are looked at.
 const LIMIT_POINTS: u32 = 16;

@@ -7,9 +7,9 @@ use super::*;
 use crate::config::Config;
 use crate::kinematics::machines::{Cb, Head};
 use crate::kinematics::{Limits, Machine};
-use crate::motion::options::ToolPosture;
 use crate::motion::rotary::MAX_TURNS;
 use crate::motion::tests::hand_on;
+use crate::options::ToolPosture;
 use crate::program::{Drilling, Feed, Hole, Move, RotaryDirection, Rotation, ToolCall, ToolMotion};
 
 fn limits(lower: f64, upper: f64) -> Option<Limits> {

@@ -11,7 +11,7 @@ use crate::nalgebra::{Point3, Vector3};
 use crate::program::Arc;
 
 use crate::motion::fault::Fault;
-use crate::motion::tolerances::{ARC_POINT_NOISE, LEVEL_ARC, MOST_CHORDS};
+use crate::tolerance::writer::{ARC_POINT_NOISE, LEVEL_ARC, MOST_CHORDS};
 
 /// An arc with its frame.
 #[derive(Debug, Clone, Copy)]

@@ -9,9 +9,9 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::kinematics::math::{self, larger};
-use crate::motion::tolerances::{LEAST_RADIUS_SWEEP, MOST_RADIUS_SWEEP, SAME_SWEEP};
 use crate::nalgebra::Vector3;
 use crate::nc::whole_units;
+use crate::tolerance::writer::{LEAST_RADIUS_SWEEP, MOST_RADIUS_SWEEP, SAME_SWEEP};
 
 /// Steps from a point of the grid to those around it.
 const NEIGHBOURS: [[f64; 2]; 8] =

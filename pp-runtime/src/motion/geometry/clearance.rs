@@ -2,8 +2,8 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::motion::tolerances::{LEADS_TO_PLANE, NO_DIRECTION, PARALLEL_TO_FACE};
 use crate::program::Clearance;
+use crate::tolerance::writer::{LEADS_TO_PLANE, NO_DIRECTION, PARALLEL_TO_FACE};
 
 /// Distance along `axis` to the point after which the tool stays outside the clearance geometry, mm; 0 if it is outside
 /// already, `None` if it never leaves.

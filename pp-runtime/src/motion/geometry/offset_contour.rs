@@ -15,7 +15,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::kinematics::math;
-use crate::motion::tolerances::{LEAST_OFFSET, STRAIGHT_ON};
+use crate::tolerance::writer::{LEAST_OFFSET, STRAIGHT_ON};
 
 /// Point or vector in the plane, mm.
 pub(crate) type InPlane = [f64; 2];

@@ -8,11 +8,11 @@ use super::chain::{coordinates, held_tool_axis, orthogonal, poles, xyz_only};
 use super::datum::Datum;
 use crate::kinematics::math::LARGEST_SHIFTED;
 use crate::kinematics::{AngleScale, AnyMachine, Axis, AxisKind, AxisUnits, LinearScale, REACH_TOLERANCE, Rotary};
-use crate::motion::options::Policy;
+use crate::motion::policy::Policy;
 use crate::motion::rotary::RotaryMetric;
-use crate::motion::tolerances::{EQUAL_TOOL_SHARE, RETRACT_ALONG_TOOL, UNIT_VECTOR_NOISE, WORD_NOISE};
 use crate::nc::{Overflow, whole_units};
 use crate::program::Units;
+use crate::tolerance::writer::{EQUAL_TOOL_SHARE, RETRACT_ALONG_TOOL, UNIT_VECTOR_NOISE, WORD_NOISE};
 
 /// The solved rotary axes.
 #[derive(Debug, Clone)]

@@ -24,7 +24,7 @@ use nalgebra::Point3;
 
 use super::{AxisPosition, Placer};
 use crate::kinematics::{AxisValues, Side, carried};
-use crate::motion::tolerances::TIME_BOUND;
+use crate::tolerance::writer::TIME_BOUND;
 
 /// Least and most parts of a block.
 const LEAST_PARTS: f64 = 4.0;

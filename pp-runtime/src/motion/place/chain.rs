@@ -3,7 +3,7 @@
 use nalgebra::{UnitVector3, Vector3};
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Joint, Rotary, Side};
-use crate::motion::tolerances::PERPENDICULAR_AXES;
+use crate::tolerance::writer::PERPENDICULAR_AXES;
 
 /// Reachable tool axes at which the angle of the first of two rotary axes is free: along its direction and against it.
 pub(crate) fn poles(machine: &dyn AnyMachine, rotaries: &[Rotary]) -> Vec<UnitVector3<f64>> {

@@ -8,11 +8,11 @@
 use nalgebra::Vector3;
 
 use crate::kinematics::{AngleScale, AnyMachine, AxisValues};
-use crate::motion::options::Policy;
+use crate::motion::policy::Policy;
 use crate::set_up::{LengthMode, ProgramZero, along_axes};
 
 use crate::motion::step::MAX_AXES;
-use crate::motion::tolerances::WORD_NOISE;
+use crate::tolerance::writer::WORD_NOISE;
 
 /// Offsets from axis values to written words, by position in the chain.
 #[derive(Debug, Clone, PartialEq)]

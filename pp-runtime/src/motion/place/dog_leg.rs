@@ -5,7 +5,7 @@ use nalgebra::Point3;
 use crate::kinematics::AxisKind;
 
 use super::{AxisPosition, Placer};
-use crate::motion::tolerances::SAME_AXIS_VALUE;
+use crate::tolerance::writer::SAME_AXIS_VALUE;
 
 /// Largest distance of the centre line of a rotary axis from the part zero, mm.
 const FARTHEST_CENTRE_MM: f64 = 5000.0;

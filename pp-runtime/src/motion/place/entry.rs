@@ -15,7 +15,7 @@ use crate::nc::whole_units;
 use super::frame::{TipAbility, TipStart, WordMap, no_plane, orientation, table};
 use super::tilted_plane::{PlaneAbility, plane_across};
 use super::{AxisPosition, Placer, too_large};
-use crate::motion::tolerances::PARALLEL;
+use crate::tolerance::writer::PARALLEL;
 
 /// Motion of the axes across the retract axis before tip control is switched on.
 #[derive(Debug, Clone, Copy, PartialEq)]

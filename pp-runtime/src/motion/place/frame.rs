@@ -18,8 +18,8 @@
 use nalgebra::{Matrix3, Point3, Vector3};
 
 use crate::kinematics::{AnyMachine, AxisKind, AxisValues, MotionBound, Side};
-use crate::motion::options::Policy;
-use crate::motion::options::{StretchMode, TcpFrame, ToolPosture};
+use crate::motion::policy::Policy;
+use crate::options::{StretchMode, TcpFrame, ToolPosture};
 use crate::set_up::ProgramZero;
 
 use super::tilted_plane::{PlaneAbility, TiltedPlane};

@@ -37,7 +37,7 @@ use crate::motion::fault::Fault;
 use crate::motion::geometry::PathSegment;
 use crate::motion::rotary::RotaryWords;
 use crate::motion::step::MAX_AXES;
-use crate::motion::tolerances::{EVEN_SHARE, LARGEST_EVEN_ROTATION, UNEVEN_NEAR_POLE, WIDEST_BLOCK};
+use crate::tolerance::writer::{EVEN_SHARE, LARGEST_EVEN_ROTATION, UNEVEN_NEAR_POLE, WIDEST_BLOCK};
 
 /// Share of the tolerance from which on a piece is long enough.
 const LONG_ENOUGH: f64 = 0.97;

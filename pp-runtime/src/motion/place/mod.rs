@@ -29,10 +29,11 @@ use crate::kinematics::{
     AngleScale, AnyMachine, Axis, AxisKind, AxisUnits, AxisValues, Branch, Limits, OutOfLimits, Pose, Rotary, Side,
 };
 use crate::motion::fault::Fault;
-use crate::motion::options::{Policy, StretchMode, ToolPosture};
+use crate::motion::policy::Policy;
 use crate::motion::rotary::{RotaryMetric, RotaryTarget, RotaryWords, choose};
 use crate::motion::step::{AxisWords, MAX_AXES, ReachedPosition, VECTOR_DECIMALS};
 use crate::nc::whole_units;
+use crate::options::{StretchMode, ToolPosture};
 use crate::program::Units;
 use crate::set_up::LengthMode;
 
@@ -43,7 +44,7 @@ pub(crate) use refusal::limits_text;
 pub(crate) use suited::{UsableModes, unsuited};
 pub(crate) use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
 
-use crate::motion::tolerances::{GUARDED_ANGLE_DEG, LEAST_GUARDED_RATE};
+use crate::tolerance::writer::{GUARDED_ANGLE_DEG, LEAST_GUARDED_RATE};
 pub(crate) use axes::Poles;
 use axes::{AxisSpeeds, LinearAxes, RotaryAxes};
 pub(crate) use chain::rotaries as rotaries_of;

@@ -14,8 +14,8 @@ use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
 use crate::motion::rotary::{Choice, MAX_TURNS, RotaryTarget, RotaryWords, RotationSense, choose};
 use crate::motion::step::MAX_AXES;
-use crate::motion::tolerances::{HELD_AXIS, LIMIT_SWING};
 use crate::shortcut::Shortcut;
+use crate::tolerance::writer::{HELD_AXIS, LIMIT_SWING};
 
 /// What the choice of rotary angles reads of a position.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,12 +3,13 @@
 use nalgebra::Vector3;
 
 use crate::kinematics::{AnyMachine, Side, carried};
-use crate::motion::options::{Policy, StretchMode, TcpFrame, TcpWords, ToolPosture};
+use crate::motion::policy::Policy;
+use crate::options::{StretchMode, TcpFrame, TcpWords, ToolPosture};
 use crate::set_up::LengthMode;
 
 use super::chain::rotaries;
 use super::frame::{TipAbility, TipStart};
-use crate::motion::tolerances::COORDINATE_AXIS;
+use crate::tolerance::writer::COORDINATE_AXIS;
 
 /// Modes other than axis positions that machine, control and configuration allow.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

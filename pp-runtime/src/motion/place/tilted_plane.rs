@@ -10,7 +10,7 @@ use crate::kinematics::math;
 use crate::nc::Decimal;
 
 use crate::motion::geometry::angle_between;
-use crate::motion::tolerances::{ALONG_PLANE_NORMAL, ONE_SUM_OF_ANGLES, SAME_PLANE_POSE};
+use crate::tolerance::writer::{ALONG_PLANE_NORMAL, ONE_SUM_OF_ANGLES, SAME_PLANE_POSE};
 
 /// Convention of the three angles by which a control describes the orientation of a plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -15,8 +15,8 @@ use super::tilted_plane::{PlaneAbility, PoseRule, TiltedPlane, plane_across};
 use super::{AxisPosition, Placer, too_large};
 use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
-use crate::motion::tolerances::{AXIS_VALUE_NOISE, ORTHOGONAL_MAP};
 use crate::shortcut::Shortcut;
+use crate::tolerance::writer::{AXIS_VALUE_NOISE, ORTHOGONAL_MAP};
 
 /// Largest deviation of an axis from its chord between two points of a block that are compared with the travel.
 const TRAVEL_SAMPLING_MM: f64 = 0.01;
@@ -297,7 +297,7 @@ mod tests {
     use crate::kinematics::machines::{Ay, Cb, Head, Mirrored};
     use crate::kinematics::{Limits, Machine, Pose};
     use crate::motion::geometry::ArcGeometry;
-    use crate::motion::options::{StretchMode, TcpFrame, Wrap};
+    use crate::options::{StretchMode, TcpFrame, Wrap};
     use crate::program::{Arc, Units};
 
     /// A placer with the travel of its linear axes limited, and with a machine zero where `zero`.

@@ -11,9 +11,10 @@ use super::{AxisPosition, Placer};
 use crate::kinematics::Pose;
 use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
-use crate::motion::options::{Policy, StretchMode, TcpWords};
+use crate::motion::policy::Policy;
 use crate::motion::rotary::RotaryWords;
-use crate::motion::tolerances::{BENT_THROUGH_POLE, CONTROL_CHOOSES_NEAR_POLE, NO_GREAT_CIRCLE, PASSES_POLE};
+use crate::options::{StretchMode, TcpWords};
+use crate::tolerance::writer::{BENT_THROUGH_POLE, CONTROL_CHOOSES_NEAR_POLE, NO_GREAT_CIRCLE, PASSES_POLE};
 
 /// Whether the programs of a job have stretches whose blocks contain tool vectors.
 pub(crate) fn has_vectors(policy: Policy<'_>) -> bool {

@@ -9,13 +9,13 @@ use nalgebra::Vector3;
 use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{AnyMachine, AxisKind, Limits, Side};
 use crate::motion::fault::Fault;
-use crate::motion::options::Policy;
+use crate::motion::policy::Policy;
 use crate::motion::step::MAX_AXES;
 use crate::program::Units;
 
 use super::chain::rotaries;
-use crate::motion::tolerances::{AXIS_VALUE_NOISE, NO_GAUGE_SHARE};
 use crate::set_up::along_axes;
+use crate::tolerance::writer::{AXIS_VALUE_NOISE, NO_GAUGE_SHARE};
 
 /// Travel of one solved linear axis.
 #[derive(Debug, Clone, Copy, PartialEq)]

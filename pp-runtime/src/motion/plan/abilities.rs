@@ -1,8 +1,8 @@
 //! Abilities of a control, as far as planning depends on them.
 
 use crate::kinematics::{Axis, Side};
-use crate::motion::options::PathNorm;
 use crate::motion::rotaries_of;
+use crate::options::PathNorm;
 use crate::program::Coolants;
 
 use crate::motion::geometry::StraightCorners;

@@ -9,8 +9,8 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::kinematics::{Pose, math};
-use crate::motion::options::{ArcForm, ArcOutput};
 use crate::nalgebra::Vector3;
+use crate::options::{ArcForm, ArcOutput};
 use crate::program::{Arc, Move};
 
 use crate::motion::fault::{Fault, ItemError, Planned};
@@ -25,7 +25,7 @@ use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::MotionIndex;
 use crate::motion::step::BlockReason;
 use crate::motion::step::{AxisWords, FeedWord, Sink, Step};
-use crate::motion::tolerances::{ARC_END_DRIFT, LARGEST_LONG_WAY, MOST_REVOLUTIONS, ROUNDED_END, WHOLE_REVOLUTIONS};
+use crate::tolerance::writer::{ARC_END_DRIFT, LARGEST_LONG_WAY, MOST_REVOLUTIONS, ROUNDED_END, WHOLE_REVOLUTIONS};
 
 /// Reason why an arc is not written as an arc.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

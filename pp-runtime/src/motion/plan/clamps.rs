@@ -8,9 +8,10 @@ use std::io;
 
 use crate::kinematics::{Axis, Rotary};
 
-use crate::motion::options::{ClampCodes, Policy};
 use crate::motion::plan::output::Output;
+use crate::motion::policy::Policy;
 use crate::motion::step::{MAX_AXES, Sink, Step};
+use crate::options::ClampCodes;
 
 /// One clamp.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use crate::motion::options::Policy;
+use crate::motion::policy::Policy;
 use crate::program::{Coolant, Coolants};
 
 use crate::motion::fault::{Fault, Planned};

@@ -23,7 +23,8 @@ use std::collections::BTreeSet;
 use nalgebra::Vector3;
 
 use crate::kinematics::math;
-use crate::motion::options::{CutterPath, Policy, StretchMode};
+use crate::motion::policy::Policy;
+use crate::options::{CutterPath, StretchMode};
 use crate::program::{Arc, Compensation, CutterSide, Event, Move, ReferenceGeometry};
 
 use self::offset::Offsets;
@@ -34,7 +35,7 @@ use crate::motion::plan::abilities::{Abilities, CutterRadius};
 use crate::motion::plan::tool::LoadedTool;
 use crate::motion::plan::tooling::Tooling;
 use crate::motion::step::Step;
-use crate::motion::tolerances::{IN_CUTTER_PLANE, SAME_AXIS};
+use crate::tolerance::writer::{IN_CUTTER_PLANE, SAME_AXIS};
 
 /// Largest delta of the radius in a tool call, mm.
 const LARGEST_DELTA: f64 = 99.999;

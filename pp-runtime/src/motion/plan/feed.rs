@@ -12,16 +12,16 @@
 //! is as long as that F makes it.
 
 use crate::kinematics::math::{self, larger};
-use crate::motion::options::Policy;
-use crate::motion::options::{PathNorm, StretchMode};
+use crate::motion::policy::Policy;
 use crate::nc::Decimal;
+use crate::options::{PathNorm, StretchMode};
 use crate::program;
 use crate::program::{Shown, Units};
 
 use crate::motion::fault::Fault;
 use crate::motion::plan::abilities::Abilities;
 use crate::motion::step::FeedWord;
-use crate::motion::tolerances::{FASTER, RESTING_BLOCK, ROUNDED_BLOCK_LENGTH};
+use crate::tolerance::writer::{FASTER, RESTING_BLOCK, ROUNDED_BLOCK_LENGTH};
 
 /// Computes F words.
 #[derive(Debug, Clone, Copy, PartialEq)]

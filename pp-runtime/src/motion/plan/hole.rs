@@ -7,8 +7,8 @@
 //! plates) is written as motions. A thread never is: only a cycle synchronises spindle and feed.
 
 use crate::kinematics::{Pose, math};
-use crate::motion::options::{CycleOutput, StretchMode, ThreadFeed};
 use crate::nc::Decimal;
+use crate::options::{CycleOutput, StretchMode, ThreadFeed};
 use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation, Shown, Units};
 
 use crate::motion::fault::{Fault, Planned};
@@ -19,10 +19,10 @@ use crate::motion::source::{Begins, MotionIndex, Next};
 use crate::motion::step::BlockReason;
 use crate::motion::step::{AxisWords, FeedWord, Sink, Step};
 use crate::motion::step::{CannedCycle, CannedKind, UnusedCycles};
-use crate::motion::tolerances::{
+use crate::nalgebra::Vector3;
+use crate::tolerance::writer::{
     LEAN_BY_ROUNDING, MOST_HOLE_STEPS, NO_ORIENT_ANGLE_DEG, NO_PITCH_ERROR, PITCH_ERROR, SAME_BORE_SHIFT, SAME_LEVEL,
 };
-use crate::nalgebra::Vector3;
 
 /// Decimals of the angle at which the spindle stops.
 const ORIENT_DECIMALS: u32 = 3;

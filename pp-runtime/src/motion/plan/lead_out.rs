@@ -4,7 +4,7 @@
 use nalgebra::Point3;
 
 use crate::kinematics::Pose;
-use crate::motion::tolerances::{ALONG_TOOL_AXIS, NO_DIRECTION, SAME_POINT};
+use crate::tolerance::writer::{ALONG_TOOL_AXIS, NO_DIRECTION, SAME_POINT};
 
 /// Square of a length in that of its part along the axis, above which the rest is neither along the axis nor too short
 /// for a direction.

@@ -38,8 +38,9 @@ use std::ops::RangeInclusive;
 use crate::diag::Diagnostic;
 use crate::kinematics::{AnyMachine, Pose, Rotary};
 use crate::motion::modes::{ModeFollower, StretchModes};
-use crate::motion::options::{Policy, StretchMode};
 use crate::motion::place::UsableModes;
+use crate::motion::policy::Policy;
+use crate::options::StretchMode;
 use crate::program::Units;
 use crate::program::{self, Coolant, Location, Move};
 

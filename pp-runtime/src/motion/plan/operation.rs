@@ -4,10 +4,10 @@
 //! out is refused here, where the operation begins, with its entry and key.
 
 use crate::motion::fault::{Fault, Planned};
-use crate::motion::options::OperationChoice;
 use crate::motion::plan::Planner;
 use crate::motion::source::{Chosen, OperationStart};
 use crate::motion::step::{Sink, Step};
+use crate::options::OperationChoice;
 use crate::program::Units;
 
 /// Largest feed of an operation.

@@ -16,7 +16,7 @@ use crate::motion::plan::statistics::Statistics;
 use crate::motion::plan::threads::Threads;
 use crate::motion::step::{BlockReason, Provenance, ReachedPosition};
 use crate::motion::step::{FeedWord, Sink, Step};
-use crate::motion::tolerances::NO_DEVIATION;
+use crate::tolerance::writer::NO_DEVIATION;
 
 /// Whether the steps at hand may be skipped at the control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -7,7 +7,7 @@ use crate::kinematics::Pose;
 
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::lead_out::LeadOut;
-use crate::motion::tolerances::{ALONG_TOOL_AXIS, DEEP_PLUNGE, SAME_AXIS};
+use crate::tolerance::writer::{ALONG_TOOL_AXIS, DEEP_PLUNGE, SAME_AXIS};
 
 /// Position of the machine.
 #[derive(Debug, Clone)]

@@ -12,12 +12,12 @@
 use crate::kinematics::Pose;
 use crate::motion::fault::Planned;
 use crate::motion::geometry::{is_separated, line_enters};
-use crate::motion::options::{Links, Rapid, Transition};
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::{MotionAndNext, Planner};
 use crate::motion::rotary::RotaryTarget;
 use crate::motion::step::Sink;
-use crate::motion::tolerances::{GRAZES_CLEARANCE, RAPID_ALONG_TOOL, SAME_AXIS};
+use crate::options::{Links, Rapid, Transition};
+use crate::tolerance::writer::{GRAZES_CLEARANCE, RAPID_ALONG_TOOL, SAME_AXIS};
 
 /// Path of a rapid.
 #[derive(Debug, Clone, Copy)]

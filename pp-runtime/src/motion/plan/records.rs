@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::motion::options::{OptionalStops, StretchMode, Transition};
+use crate::options::{OptionalStops, StretchMode, Transition};
 use crate::program::{
     BlockPlace, Dwell, Event, Interruption, Location, MachineFunction, NewStart, ReferenceGeometry, RotaryDirection,
     TextKind, ToolCall, is_nc_text,

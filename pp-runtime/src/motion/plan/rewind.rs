@@ -1,7 +1,7 @@
 //! Rewinding, where no course of the rotary axes stays within their limits: the tool leaves the part, the axes rotate,
 //! and it returns to the same pose; or the tip stays in place while they rotate.
 
-use crate::motion::options::Rewind;
+use crate::options::Rewind;
 use crate::program::Move;
 
 use crate::motion::fault::{Fault, ItemError, Planned};

@@ -13,7 +13,7 @@
 //! machine is unknown.
 
 use crate::kinematics::Pose;
-use crate::motion::options::Transition;
+use crate::options::Transition;
 use crate::program::{Location, Move};
 
 use crate::motion::fault::{Fault, Planned};
@@ -25,7 +25,7 @@ use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::Next;
 use crate::motion::step::BlockReason;
 use crate::motion::step::{Sink, Step, ToolRoutine};
-use crate::motion::tolerances::{LEADS_OUT, LED_OUT, ON_LINE, SAME_AXIS};
+use crate::tolerance::writer::{LEADS_OUT, LED_OUT, ON_LINE, SAME_AXIS};
 
 impl<S: Sink> Planner<'_, S> {
     /// Step 1 and the first half of 2, if the tool is at the part.

@@ -1,8 +1,8 @@
 //! Data of a tool from the configuration and the CL data, with the refusals and remarks where the two differ.
 
-use crate::motion::options::Defaults;
-use crate::motion::options::Policy;
+use crate::motion::policy::Policy;
 use crate::nc::Decimal;
+use crate::options::Defaults;
 use crate::program::{Rotation, Spindle, ToolCall};
 use crate::set_up::GivenTool as Given;
 

@@ -4,7 +4,8 @@
 //! the control rotates by the shorter path, or in the direction given by the sign.
 
 use crate::kinematics::{Axis, Rotary};
-use crate::motion::options::{Policy, Wrap};
+use crate::motion::policy::Policy;
+use crate::options::Wrap;
 
 use crate::motion::step::{AxisWords, MAX_AXES};
 

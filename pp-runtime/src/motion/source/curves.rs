@@ -4,12 +4,12 @@
 //! each: their tool axis is constant, and the planner decides whether the control interpolates them.
 
 use crate::kinematics::Pose;
-use crate::motion::options::Policy;
+use crate::motion::policy::Policy;
 use crate::nalgebra::{Point3, Vector3};
 use crate::program::{Move, Shown, Spline};
 
 use crate::motion::fault::Fault;
-use crate::motion::tolerances::MOST_CHORDS;
+use crate::tolerance::writer::MOST_CHORDS;
 
 /// The chord tolerance in force.
 #[derive(Debug, Clone)]

@@ -23,7 +23,8 @@ mod tests;
 
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AnyMachine, Pose};
-use crate::motion::options::{OperationChoice, Policy};
+use crate::motion::policy::Policy;
+use crate::options::OperationChoice;
 use crate::program::{
     Arc, Event, Hole, Location, MachineFunction, Move, NewStart, ReferenceGeometry, Spline, ToolCall, ToolMotion,
 };
@@ -35,7 +36,7 @@ pub(crate) use operations::{Begins, MotionIndex};
 pub(crate) use setting::Setting;
 pub(crate) use settings::{Chosen, OperationStart};
 
-use crate::motion::tolerances::SAME_POSE;
+use crate::tolerance::writer::SAME_POSE;
 use curves::Curves;
 use lookahead::Lookahead;
 use operations::MotionCounter;

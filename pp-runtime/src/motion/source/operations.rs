@@ -7,11 +7,12 @@
 
 use crate::kinematics::{AnyMachine, Pose, Side};
 use crate::motion::geometry::{ClearanceGeometry, line_enters};
-use crate::motion::options::{Policy, Transition};
 use crate::motion::place::rotaries_of;
-use crate::motion::tolerances::{HELD_AXIS, SAME_AXIS};
+use crate::motion::policy::Policy;
 use crate::nalgebra::UnitVector3;
+use crate::options::Transition;
 use crate::program::{ClearancePlane, Hole, Move, ToolCall};
+use crate::tolerance::writer::{HELD_AXIS, SAME_AXIS};
 
 /// Relation of a motion to the one before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -12,7 +12,7 @@ use nalgebra::{Point3, Rotation3, UnitVector3};
 use crate::kinematics::Pose;
 use crate::program::{Arc, ClearancePlane, Event, Hole, Move, NewStart, ReferenceGeometry, Spline, ToolMotion};
 
-use crate::motion::options::Policy;
+use crate::motion::policy::Policy;
 
 /// Rotates and lifts the events of a program.
 #[derive(Debug, Clone)]

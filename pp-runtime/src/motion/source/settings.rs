@@ -5,9 +5,7 @@
 //! is that of the last TOOL PATH before its first motion.
 
 use crate::motion::fault::Fault;
-use crate::motion::options::{
-    Mode, OperationChoice, OperationEntry, OperationSettings, OperationTable, Singular, Smoothing,
-};
+use crate::options::{Mode, OperationChoice, OperationEntry, OperationSettings, OperationTable, Singular, Smoothing};
 use crate::program::Location;
 
 /// A setting of an operation, and the entry of the table that makes it.

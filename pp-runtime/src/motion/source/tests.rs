@@ -6,7 +6,7 @@ use super::*;
 use crate::config::Config;
 use crate::kinematics::machines::{Head, Xyz};
 use crate::kinematics::{Machine, Pose};
-use crate::motion::Transition;
+use crate::options::Transition;
 use crate::program::{Coolant, Drilling, Feed, Interruption, Spindle, TextKind};
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];

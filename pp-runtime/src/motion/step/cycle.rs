@@ -2,8 +2,8 @@
 
 use crate::nc::Decimal;
 
-use crate::motion::options::BoreRetract;
 use crate::motion::step::AxisWords;
+use crate::options::BoreRetract;
 
 /// Cycles that a control has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

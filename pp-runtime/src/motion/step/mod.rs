@@ -9,7 +9,7 @@ use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation};
 
 use crate::motion::geometry::Circle;
-use crate::motion::options::Smoothing;
+use crate::options::Smoothing;
 
 pub(crate) use crate::kinematics::MAX_AXES;
 pub(crate) use cycle::{CannedCycle, CannedKind, CycleAbilities, FineBoreAbility, UnusedCycles};

@@ -303,7 +303,7 @@ fn first_and_second_pass_count_from_the_same_place() {
 fn on_request_a_rewind_leaves_the_tip_in_place() {
     let mut config = config();
     config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
-    config.motion.retract.rewind = crate::motion::Rewind::Follow;
+    config.motion.retract.rewind = crate::options::Rewind::Follow;
     let at = |angle: f64| feed([10.0, 0.0, 0.0], cb(angle, 30.0));
     let run = run::<Cb>(&config, &[tool(1), spindle(), at(170.0), at(183.0), at(186.0)]);
     assert_eq!(run.statistics.rewinds, 1);

@@ -4,7 +4,7 @@ use super::*;
 use crate::control::{Heidenhain, Siemens};
 use crate::kinematics::Limits;
 use crate::kinematics::machines::Head;
-use crate::motion::Wrap;
+use crate::options::Wrap;
 use crate::set_up::GivenTool;
 
 #[test]
@@ -76,7 +76,7 @@ fn travels_that_are_wider_than_those_of_the_machine_are_named() {
 fn only_axes_that_pass_a_revolution_and_do_not_roll_over_have_words_beyond_it() {
     let line = |control: &dyn Control, wrapped: &str, b_lower_deg: f64| {
         let mut config = crate::config::starting_point(control);
-        config.motion.mode = crate::motion::Mode::Axes;
+        config.motion.mode = crate::options::Mode::Axes;
         config.motion.rotaries.wrap.extend(wrapped.chars().map(|letter| (letter, Wrap::Positive)));
         let limits = Limits { lower: b_lower_deg.to_radians(), upper: 110_f64.to_radians() };
         config.set_up.limits.insert('B', Some(limits));
@@ -134,7 +134,7 @@ fn the_header_states_the_set_up_that_the_program_is_valid_for() {
 fn a_program_for_a_head_states_the_length_it_was_posted_with() {
     let text = PART.replace("LOADTL/1\nSPINDL", "LOADTL/1,LENGTH,95.5\nSPINDL");
     let mut config = Config::default();
-    config.motion.retract = crate::motion::Retract { distance_mm: Some(30.0), ..Config::default().motion.retract };
+    config.motion.retract = crate::options::Retract { distance_mm: Some(30.0), ..Config::default().motion.retract };
     let (text, report) = posted::<Head>(&config, &text);
     assert_eq!(report.diagnostics, []);
     assert!(text.contains("(T1 posted with L = 95.5: H1 must hold exactly this)"), "{text}");

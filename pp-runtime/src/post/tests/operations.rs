@@ -1,7 +1,7 @@
 //! Operations that are posted alone, and clamps of rotary axes.
 
 use super::*;
-use crate::motion::Operations;
+use crate::options::Operations;
 
 const FOUR: &str = "\
 UNITS/MM
@@ -77,7 +77,7 @@ fn an_operation_that_is_posted_alone_moves_as_it_does_in_the_whole_program() {
 #[test]
 fn without_transitions_an_operation_that_is_posted_alone_is_entered_and_left_safely() {
     let operations = Some(Operations::Range(2, Some(2)));
-    let transition = crate::motion::Transition::Direct;
+    let transition = crate::options::Transition::Direct;
     let mut config = Config::default();
     config.motion.selected = operations;
     config.motion.rapids.transition = transition;
@@ -127,7 +127,7 @@ fn operations_are_found_by_name_and_a_missing_one_is_reported() {
 #[test]
 fn clamps_hold_the_axes_of_an_operation_that_does_not_turn_them() {
     let mut config = Config::default();
-    let codes = crate::motion::ClampCodes { on: "M10".to_owned(), off: "M11".to_owned() };
+    let codes = crate::options::ClampCodes { on: "M10".to_owned(), off: "M11".to_owned() };
     config.motion.rotaries.clamp.insert('C', codes);
     let (text, report) = posted::<Cb>(&config, FOUR);
     assert!(!report.failed, "{report:?}");
@@ -141,7 +141,7 @@ fn clamps_hold_the_axes_of_an_operation_that_does_not_turn_them() {
 fn the_last_operation_that_is_posted_is_left_along_the_tool() {
     let mut config = Config::default();
     config.motion.selected = Some(Operations::Range(1, Some(1)));
-    config.motion.rapids.transition = crate::motion::Transition::Direct;
+    config.motion.rapids.transition = crate::options::Transition::Direct;
     config.motion.retract.distance_mm = Some(12.0);
     let (text, report) = posted::<Cb>(&config, FOUR);
     assert!(!report.failed, "{report:?}");
@@ -185,9 +185,9 @@ GOTO/9,0,0
 #[test]
 fn clamps_of_some_operations_are_open_where_these_turn_an_axis() {
     let mut config = Config::default();
-    let codes = crate::motion::ClampCodes { on: "M12".to_owned(), off: "M13".to_owned() };
+    let codes = crate::options::ClampCodes { on: "M12".to_owned(), off: "M13".to_owned() };
     config.motion.rotaries.clamp.insert('B', codes);
-    config.motion.rapids.transition = crate::motion::Transition::Direct;
+    config.motion.rapids.transition = crate::options::Transition::Direct;
     config.motion.retract.distance_mm = Some(50.0);
     for operations in [None, Some(Operations::Range(2, Some(3)))] {
         config.motion.selected = operations;

@@ -64,7 +64,7 @@ fn the_summary_states_the_rotary_axes_after_the_last_motion() {
             .find_map(|line| Some(line.strip_prefix("rotary axes after the last motion: ")?.to_owned()))
     };
     assert_eq!(stated(|_| {}, &part).as_deref(), Some("C 391, B 30 degrees"));
-    let symmetric = |config: &mut Config| _ = config.motion.rotaries.wrap.insert('C', crate::motion::Wrap::Symmetric);
+    let symmetric = |config: &mut Config| _ = config.motion.rotaries.wrap.insert('C', crate::options::Wrap::Symmetric);
     assert_eq!(stated(symmetric, &part).as_deref(), Some("C 31, B 30 degrees"));
     let parked = |config: &mut Config| _ = config.motion.park.insert('B', 0.0);
     assert_eq!(stated(parked, &part).as_deref(), Some("C 391, B 0 degrees"));
@@ -76,7 +76,7 @@ fn the_summary_states_the_rotary_axes_after_the_last_motion() {
 
 #[test]
 fn the_part_origin_is_assumed_where_words_travel_or_speeds_depend_on_it() {
-    use crate::motion::Mode;
+    use crate::options::Mode;
     let assumed = |mode: Mode, change: fn(&mut Config)| {
         let mut config = crate::config::starting_point(&Siemens);
         config.motion.mode = mode;
@@ -148,7 +148,7 @@ fn the_pitch_of_every_thread_is_in_the_summary() {
     assert_eq!(threads("MMPR,1.25", "CLW"), ["threads: T3 pitch 1.250 mm (2 holes)"]);
     // A feed per minute that was meant for another speed.
     assert_eq!(threads("MMPM,1000", "CCLW"), ["threads: T3 pitch 2.000 mm left-hand (2 holes)"]);
-    assert!(posted::<Cb>(&Config::default(), PART).1.threads.is_empty());
+    assert!(posted::<Cb>(&Config::default(), PART).1.threads.listed().is_empty());
 }
 
 #[test]

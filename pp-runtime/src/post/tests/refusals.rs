@@ -4,7 +4,7 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 
 use super::*;
 use crate::kinematics::machines::Xyz;
-use crate::motion::Mode;
+use crate::options::Mode;
 
 #[test]
 fn nothing_is_written_for_a_configuration_that_the_control_cannot_do() {
@@ -152,7 +152,7 @@ fn input_and_output_errors_are_told_apart() {
 fn a_table_that_rotates_under_axis_positions_needs_the_place_of_the_part() {
     let errors = |control: &dyn Control, change: fn(&mut Config), text: &str| {
         let mut config = crate::config::starting_point(control);
-        config.motion.mode = crate::motion::Mode::Axes;
+        config.motion.mode = crate::options::Mode::Axes;
         change(&mut config);
         let job = Job { cl_name: "bracket.cls", config: &config, control, units: None };
         let report = post::<Cb>(&job, &mut Cursor::new(text), &mut Vec::new()).expect("memory neither fails nor fills");

@@ -177,10 +177,12 @@ fn wrong(posted: &Posted, edit: &Edit, original: &str) -> Option<String> {
     };
     let [was, is] = [original, edited.as_str()].map(calls);
     if was == is {
-        // The calls hold no guard that lets the program pass, and every offset of the work and of the machine is zero.
+        // The calls hold no guard that lets the program pass, every offset of the work and of the machine is zero, and
+        // no block is skipped.
         let elsewhere = [&edit.before, &edit.after].iter().any(|text| text.to_lowercase().contains("g53"));
-        let unseen = elsewhere
-            || matches!(&foreign, Verdict::Harmful(why) if why.contains("guard") || why.contains("machine") || why.contains("work offset"));
+        let of_these =
+            |why: &str| ["guard", "machine", "work offset", "may be skipped"].iter().any(|text| why.contains(text));
+        let unseen = elsewhere || matches!(&foreign, Verdict::Harmful(why) if of_these(why));
         if matches!(foreign, Verdict::Harmful(_)) && !unseen {
             return Some(format!("the same for LinuxCNC, but {foreign:?}"));
         }

@@ -12,8 +12,9 @@ use std::io::{self, Write};
 use crate::control::dialects::{Control, RetractForm, Spellings, ToolAxisWords};
 use crate::control::layout::Layout;
 use crate::control::options::BlockNumbers;
-use crate::motion::{AxisWords, Smoothing, ToolPosture, VECTOR_DECIMALS};
+use crate::motion::{AxisWords, VECTOR_DECIMALS};
 use crate::nc::{Decimal, Numbering, Numerals, WordForm, Writer};
+use crate::options::{Smoothing, ToolPosture};
 use crate::program::Units;
 
 use super::modal_state::{After, LengthState, ModalState, SmoothingState};

@@ -10,11 +10,11 @@ use crate::config::Config;
 use crate::kinematics::machines::{Ay, Cb, Head, Mirrored, Xyz};
 use crate::kinematics::{AxisKind, Machine, Pose};
 use crate::motion::tests::{Run, config, feed, run, spindle, tool};
-use crate::motion::tolerances::WHOLE_REVOLUTIONS;
-use crate::motion::{ArcForm, ArcOutput};
 use crate::nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
+use crate::options::{ArcForm, ArcOutput};
 use crate::program::{Arc, Event, Feed, ToolMotion};
 use crate::set_up::GivenTool;
+use crate::tolerance::writer::WHOLE_REVOLUTIONS;
 
 #[test]
 fn an_arc_has_the_pieces_of_its_quotient_by_a_revolution() {

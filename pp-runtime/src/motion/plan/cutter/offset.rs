@@ -8,9 +8,9 @@ use std::collections::BTreeSet;
 use crate::kinematics::math;
 use crate::motion::fault::Fault;
 use crate::motion::geometry::{Circle, ContourArc, ContourElement, InPlane, OffsetContour, OffsetMisfit};
-use crate::motion::options::CutterPath;
 use crate::motion::place::AxisPosition;
 use crate::motion::plan::cutter::CutterSite;
+use crate::options::CutterPath;
 use crate::program::Units;
 
 /// Offsets of the contour in force.

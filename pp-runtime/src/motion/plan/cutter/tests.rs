@@ -4,8 +4,8 @@ use super::*;
 use crate::config::Config;
 use crate::control::{Control, Encoder, Haas, Heidenhain, Layout, Siemens};
 use crate::kinematics::machines::{Cb, Mirrored, Xyz};
-use crate::motion::Mode;
 use crate::motion::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
+use crate::options::Mode;
 use crate::program::Units;
 use crate::program::{Arc, BlockPlace, Feed, Interruption, MachineFunction, NewStart, TextKind, ToolMotion};
 use crate::set_up::GivenTool;
@@ -68,7 +68,7 @@ fn posted(control: &dyn Control, config: &Config, events: &[Event<'_>]) -> Vec<S
         &Xyz::default(),
         config.demands(),
         &crate::control::abilities(control, config.demands()),
-        &crate::motion::StretchModes::all(crate::motion::StretchMode::Axes),
+        &crate::motion::StretchModes::all(crate::options::StretchMode::Axes),
         Units::Millimetres,
         b"",
     );
@@ -207,7 +207,7 @@ fn records_that_interrupt_the_look_ahead_are_refused() {
 #[test]
 fn an_arc_that_would_be_chords_is_refused() {
     let mut config = set_up(Some(CutterPath::Centre));
-    config.motion.arcs.output = crate::motion::ArcOutput::Lines;
+    config.motion.arcs.output = crate::options::ArcOutput::Lines;
     assert!(run::<Xyz>(&config, &contour(CutterSide::Left)).error().text.contains("is written as chords"));
 }
 
@@ -248,7 +248,7 @@ fn an_arc_around_the_tool_is_larger_than_the_tool_in_mirrored_words_as_well() {
 #[test]
 fn an_arc_by_its_radius_is_the_same_contour() {
     let mut config = set_up(Some(CutterPath::Contour));
-    config.motion.arcs.form = crate::motion::ArcForm::Radius;
+    config.motion.arcs.form = crate::options::ArcForm::Radius;
     assert_eq!(run::<Xyz>(&config, &contour(CutterSide::Left)).diagnostics, []);
     assert!(run::<Xyz>(&config, &tight(CutterSide::Left)).error().text.contains("with a radius of 3 mm"));
 }

@@ -10,8 +10,9 @@ mod retract;
 use std::io;
 
 use crate::kinematics::{AnyMachine, AxisKind, Pose};
-use crate::motion::options::{Policy, Rapid, StretchMode, ToolPosture};
+use crate::motion::policy::Policy;
 use crate::nalgebra::Point3;
+use crate::options::{Rapid, StretchMode, ToolPosture};
 use crate::program::Move;
 use crate::program::Units;
 
@@ -27,8 +28,8 @@ use crate::motion::plan::position::Position;
 use crate::motion::rotary::{Rollover, RotaryTarget, RotaryWords};
 use crate::motion::step::{AxisWords, MAX_AXES, Sink, Step};
 use crate::motion::step::{BlockReason, ReachedPosition};
-use crate::motion::tolerances::{CONVERTED_NOISE, HELD_AXIS};
 use crate::shortcut::Shortcut;
+use crate::tolerance::writer::{CONVERTED_NOISE, HELD_AXIS};
 
 /// Largest move of the linear axes, in last digits of their words, that is rounding beside a rotation of more than the
 /// second.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::kinematics::AxisKind;
-use crate::motion::options::StretchMode;
+use crate::options::StretchMode;
 
 use crate::motion::fault::{Fault, ItemError, Planned};
 use crate::motion::place::{AxisPosition, TipEntry};

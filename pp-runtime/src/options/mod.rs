@@ -1,8 +1,10 @@
 //! Options of planning: words, tolerances, speeds, approach and retract.
 //!
 //! Plain data in mm, rad and mm/min, with the tables of their configuration keys. The doc line of a field with a key is
-//! the description of the key in the configuration sample and in the schema. [`Policy`] is all that planning reads of a
-//! job.
+//! the description of the key in the configuration sample and in the schema. Several stages read them: nothing is
+//! planned or written here.
+
+#![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod cutting;
 mod keys;
@@ -15,8 +17,6 @@ use std::ops::RangeInclusive;
 
 use crate::keys::{Bound, Measure, OneOf, Whole, YesNo, options};
 use crate::kinematics::Branch;
-use crate::nc::Formats;
-use crate::set_up::SetUp;
 
 use keys::{PARK, Preference};
 use operations::OperationsTable;
@@ -31,17 +31,6 @@ pub(crate) use links::{Approach, CoolantOptions, Links, Rapid, RapidOptions, Ret
 pub(crate) use operations::{OperationChoice, OperationEntry, OperationSettings, OperationTable, Smoothing};
 pub use words::{Mode, TcpFrame, TcpWords, ToolPosture};
 pub(crate) use words::{RotaryOptions, StretchMode, TipOptions};
-
-/// All that planning reads of a job.
-#[derive(Debug, Clone, Copy)]
-pub struct Policy<'a> {
-    /// Machine, part, tools and work offsets.
-    pub set_up: &'a SetUp,
-    /// Options of planning.
-    pub options: &'a MotionOptions,
-    /// Decimals and digits of the words.
-    pub formats: &'a Formats,
-}
 
 options! {
     /// Options of planning. Lengths in mm, angles in rad, speeds in mm/min and rad/min.

@@ -1,4 +1,4 @@
-//! Rows of the tables of tolerances, `motion::tolerances` and `check::tolerances`, and the comparison of the two.
+//! Rows of the tables of tolerances, [`writer`] and `check::tolerances`, and the comparison of the two.
 //!
 //! A row is a number with which a computed quantity is compared, so that it decides what is equal, near, parallel, at
 //! the pole, rounded, or fast enough; or a plausible size beyond which data is a fault. Elsewhere are: counts and sizes
@@ -8,6 +8,8 @@
 //!
 //! The check shares no code with the planner, so what both sides need is a row on each, and each row names the other
 //! one.
+
+pub(crate) mod writer;
 
 /// Constants of a table, each with what it compares, its type and value, its unit, the reason for its size, and its
 /// partner in the other table:
@@ -69,7 +71,7 @@ pub(crate) enum Partner {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{check, motion};
+    use crate::check;
 
     /// What is wrong with the row of one table in view of the other one.
     fn fault(row: &Tolerance, others: &[Tolerance]) -> Option<String> {
@@ -104,7 +106,7 @@ mod tests {
 
     #[test]
     fn what_motion_and_check_both_need_is_the_same_on_both_sides() {
-        let (motion, check) = (motion::tolerances::TABLE, check::tolerances::TABLE);
+        let (motion, check) = (writer::TABLE, check::tolerances::TABLE);
         assert_eq!(faults(motion, check), Vec::<String>::new());
         // Only motion is within, only the check covers.
         assert!(motion.iter().all(|row| !matches!(row.partner, Partner::AtMost(_))));

@@ -11,7 +11,7 @@ use crate::kinematics::{Axis, AxisKind, Limits};
 use crate::program::{Clearance, ClearancePlane, Units};
 
 use super::CourseOptions;
-use crate::motion::tolerances::{CONVERTED_NOISE, INDEX_STEP_NOISE};
+use crate::tolerance::writer::{CONVERTED_NOISE, INDEX_STEP_NOISE};
 
 const FORMS: &str = "write `{ plane = 80 }`, `{ box = [[-60, -60, -40], [60, 60, 30]] }` or \
                      `{ cylinder = { radius = 90, lower = -40, upper = 30 } }`";

@@ -6,9 +6,10 @@ use super::keys::{CLAMP, ClampCodes, GRID, WRAP, Wrap};
 use crate::keys::{OneOf, YesNo, options};
 
 /// Meaning of the words of a program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Mode {
     /// Chosen for each stretch by the motion of its tool axis: see `StretchMode`.
+    #[default]
     Auto,
     /// Axis positions: the inverse kinematics is in the program.
     Axes,
