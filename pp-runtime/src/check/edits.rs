@@ -6,6 +6,8 @@
 
 use std::io;
 
+use crate::diag::code::check;
+
 use super::policy::{EditPolicy, EditedBlock, MeantEdit};
 use super::read::{Action, Block, CycleKind, CycleMove, Family, FeedMode, Reader, State, Vocabulary};
 use super::report::{Outcome, PermittedEdit};
@@ -60,7 +62,7 @@ impl PostedProgram {
         differences.find(edited, &self.text, vocabulary)?;
         self.faults.append(&mut differences.faults);
         for EditFault { line, block, text } in self.faults {
-            outcome.add(line, &block, &text);
+            outcome.add(check::EDIT, line, &block, &text);
         }
         outcome.permitted = self.permitted;
         Ok(())

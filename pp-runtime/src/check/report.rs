@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::fmt::{self, Display, Formatter};
 
-use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity, grouped, without_numbers};
+use crate::diag::{Code, Diagnostic, LISTED_OF_A_KIND, Severity, grouped, without_numbers};
 use crate::kinematics::math::larger;
 use crate::program::Location;
 
@@ -17,6 +17,8 @@ const MOST_CAUSES: usize = 200;
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Finding {
+    /// Class of the finding, whatever its wording and numbers.
+    pub code: Code,
     /// Record of the CL data that the block should carry out.
     pub location: Location,
     /// First line of the program.
@@ -38,7 +40,7 @@ pub struct Finding {
 }
 
 impl Finding {
-    fn new(at: Location, shown: ShownBlock<'_>, cause: &str, help: Option<&str>) -> Self {
+    fn new(code: Code, at: Location, shown: ShownBlock<'_>, cause: &str, help: Option<&str>) -> Self {
         // Text between backquotes does not count in the comparison of causes, so the block must not hold one.
         let block = String::from_utf8_lossy(&shown.text[..shown.text.len().min(SHOWN_BYTES)])
             .replace('`', "'")
@@ -46,6 +48,7 @@ impl Finding {
         // A finding before the first record is shown at the start of the CL data.
         let location = if at == Location::default() { Location { line: 1, column: 1 } } else { at };
         let found = Self {
+            code,
             location,
             line: shown.line,
             last_line: shown.line,
@@ -75,6 +78,7 @@ impl Finding {
     #[must_use]
     pub fn diagnostic(&self) -> Diagnostic {
         Diagnostic {
+            code: self.code,
             severity: Severity::Error,
             location: self.location,
             length: 1,
@@ -144,8 +148,8 @@ impl Display for PermittedEdit {
 
 impl Outcome {
     /// Adds a finding about a line of the program.
-    pub(super) fn add(&mut self, line: u64, block: &[u8], cause: &str) {
-        self.findings.push(Finding::new(Location::default(), ShownBlock { line, text: block }, cause, None));
+    pub(super) fn add(&mut self, code: Code, line: u64, block: &[u8], cause: &str) {
+        self.findings.push(Finding::new(code, Location::default(), ShownBlock { line, text: block }, cause, None));
         self.count += 1;
     }
 
@@ -315,19 +319,19 @@ impl Tally {
     }
 
     /// Adds a finding about a point outside the limits of an axis.
-    pub(super) fn outside_limits(&mut self, at: Location, shown: ShownBlock<'_>, text: &str) {
+    pub(super) fn outside_limits(&mut self, code: Code, at: Location, shown: ShownBlock<'_>, text: &str) {
         self.outcome.outside_limits += u64::from(self.compares());
-        self.found(at, shown, text);
+        self.found(code, at, shown, text);
     }
 
     /// Adds a finding about a block; blocks in a row with the same fault are one finding. `at`: the CL record that the
     /// block should carry out.
     #[cold]
-    pub(super) fn found(&mut self, at: Location, shown: ShownBlock<'_>, cause: &str) {
-        self.found_in_run(at, shown, cause, without_numbers(cause, |quoted| quoted));
+    pub(super) fn found(&mut self, code: Code, at: Location, shown: ShownBlock<'_>, cause: &str) {
+        self.found_in_run(code, at, shown, cause, without_numbers(cause, |quoted| quoted));
     }
 
-    fn found_in_run(&mut self, at: Location, shown: ShownBlock<'_>, cause: &str, kind: String) {
+    fn found_in_run(&mut self, code: Code, at: Location, shown: ShownBlock<'_>, cause: &str, kind: String) {
         if !self.compares() {
             return;
         }
@@ -343,7 +347,7 @@ impl Tally {
             let run = self.runs.remove(0);
             self.add(run.found.with_text());
         }
-        self.runs.push(FaultRun { found: Finding::new(at, shown, cause, None), kind, last: number });
+        self.runs.push(FaultRun { found: Finding::new(code, at, shown, cause, None), kind, last: number });
     }
 
     /// Ends the runs that the block before this motion does not have.
@@ -356,18 +360,18 @@ impl Tally {
 
     /// Adds a finding that every block until the next tool change repeats: the first is listed, the others are counted.
     #[cold]
-    pub(super) fn found_once(&mut self, at: Location, shown: ShownBlock<'_>, cause: &str) {
+    pub(super) fn found_once(&mut self, code: Code, at: Location, shown: ShownBlock<'_>, cause: &str) {
         if self.compares() {
             self.outcome.count += 1;
-            self.add_to(cause.to_owned(), 1, Finding::new(at, shown, cause, None));
+            self.add_to(cause.to_owned(), 1, Finding::new(code, at, shown, cause, None));
         }
     }
 
     /// Adds a finding about a block that matches nothing; such blocks in a row are one finding, whatever each of them
     /// lacks.
     #[cold]
-    pub(super) fn found_lost(&mut self, at: Location, shown: ShownBlock<'_>, cause: &str) {
-        self.found_in_run(at, shown, cause, LOST.to_owned());
+    pub(super) fn found_lost(&mut self, code: Code, at: Location, shown: ShownBlock<'_>, cause: &str) {
+        self.found_in_run(code, at, shown, cause, LOST.to_owned());
     }
 
     fn add(&mut self, found: Finding) {

@@ -7,7 +7,7 @@ use std::io::Read;
 
 use super::record::{if_harmless, nearest_word};
 use super::text::{ClFault, Help, Lexer, Statement, whole_number};
-use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity};
+use crate::diag::{Code, Diagnostic, LISTED_OF_A_KIND, Severity};
 use crate::program::Location;
 
 /// Diagnostics in the order found, and the number of faults of each kind and severity.
@@ -23,7 +23,8 @@ struct FaultCount {
     kind: &'static str,
     severity: Severity,
     found: u64,
-    first_hidden: Location,
+    /// Code and place of the first fault that is not listed.
+    first_hidden: (Code, Location),
 }
 
 impl Faults {
@@ -45,7 +46,7 @@ impl Faults {
     /// Adds a fault at `location`; `left_on_line`: number of bytes of the statement from there on that line.
     pub(crate) fn add_at(&mut self, fault: ClFault, location: Location, left_on_line: usize) {
         let length = fault.at.end.saturating_sub(fault.at.start).min(left_on_line).max(1);
-        if !self.is_shown(fault.kind, fault.severity, location) {
+        if !self.is_shown(&fault, location) {
             return;
         }
         let help = match fault.help {
@@ -63,6 +64,7 @@ impl Faults {
             },
         };
         self.diagnostics.push(Diagnostic {
+            code: fault.code,
             severity: fault.severity,
             location,
             length: u32::try_from(length).unwrap_or(u32::MAX),
@@ -73,9 +75,17 @@ impl Faults {
     }
 
     /// Adds a diagnostic about the file as a whole.
-    pub(crate) fn add_about_file(&mut self, severity: Severity, location: Location, text: String, help: &str) {
+    pub(crate) fn add_about_file(
+        &mut self,
+        code: Code,
+        severity: Severity,
+        location: Location,
+        text: String,
+        help: &str,
+    ) {
         self.failed |= severity == Severity::Error;
-        self.diagnostics.push(Diagnostic { severity, location, length: 1, text, help: Some(help.into()), count: 1 });
+        let help = Some(help.into());
+        self.diagnostics.push(Diagnostic { code, severity, location, length: 1, text, help, count: 1 });
     }
 
     /// Adds, at the end of the file, the number of faults of each kind that are not listed.
@@ -83,8 +93,9 @@ impl Faults {
         for count in &self.counts {
             if let Some(hidden) = count.found.checked_sub(LISTED_OF_A_KIND).filter(|hidden| *hidden > 0) {
                 self.diagnostics.push(Diagnostic {
+                    code: count.first_hidden.0,
                     severity: count.severity,
-                    location: count.first_hidden,
+                    location: count.first_hidden.1,
                     length: 1,
                     text: format!("{hidden} more of this kind from here on: {}", count.kind),
                     help: None,
@@ -94,17 +105,18 @@ impl Faults {
         }
     }
 
-    fn is_shown(&mut self, kind: &'static str, severity: Severity, location: Location) -> bool {
+    fn is_shown(&mut self, fault: &ClFault, location: Location) -> bool {
+        let &ClFault { code, kind, severity, .. } = fault;
         self.failed |= severity == Severity::Error;
         let index = self.counts.iter().position(|count| count.kind == kind && count.severity == severity);
         let index = index.unwrap_or_else(|| {
-            self.counts.push(FaultCount { kind, severity, found: 0, first_hidden: location });
+            self.counts.push(FaultCount { kind, severity, found: 0, first_hidden: (code, location) });
             self.counts.len() - 1
         });
         let count = &mut self.counts[index];
         count.found += 1;
         if count.found == LISTED_OF_A_KIND + 1 {
-            count.first_hidden = location;
+            count.first_hidden = (code, location);
         }
         count.found <= LISTED_OF_A_KIND
     }

@@ -12,6 +12,7 @@ use super::record::{
 };
 use super::subprogram::{self, KeptStatement, Subprograms, call_inside};
 use super::text::{Beginning, ClFault, LONGEST_STATEMENT, Lexer, Span, Statement, StatementKind, decoded};
+use crate::diag::code::cl;
 use crate::diag::{Diagnostic, Severity};
 use crate::program::{Event, Location, ToolMotion, Units};
 use crate::shortcut::Shortcut;
@@ -318,7 +319,7 @@ impl<R: Read> ClReader<R> {
             ),
             Beginning::Empty => ("the file is empty", "check whether the CAM system wrote it completely"),
         };
-        self.faults.add_about_file(Severity::Error, Location { line: 1, column: 1 }, text.into(), help);
+        self.faults.add_about_file(cl::FILE, Severity::Error, Location { line: 1, column: 1 }, text.into(), help);
         self.progress = Progress::Done;
         Ok(())
     }
@@ -375,13 +376,13 @@ impl<R: Read> ClReader<R> {
                     None => read_comment(text, &mut self.matrix),
                 }
             }
-            StatementKind::TooLong => Err(ClFault::new(
+            StatementKind::TooLong => Err(cl::SYNTAX.cl_fault(
                 "statement too long",
                 Span::WHOLE,
                 format!("this statement is longer than {} bytes", LONGEST_STATEMENT),
                 "check whether this file is CL data, and whether its line ends were lost",
             )),
-            StatementKind::Unfinished => Err(ClFault::new(
+            StatementKind::Unfinished => Err(cl::FILE.cl_fault(
                 "unfinished statement",
                 Span { start: 0, end: text.len() },
                 "the file ends after the `$` that continues this statement",
@@ -464,7 +465,7 @@ impl<R: Read> ClReader<R> {
                 "{normalised} tool axes differ from length 1 by more than 0.00001 and were normalised; this is the first"
             );
             let help = "nothing needs to be done if their directions are right; with more digits of i, j, k the warning is absent";
-            self.faults.add_about_file(Severity::Warning, reading.axis().first_normalised(), text, help);
+            self.faults.add_about_file(cl::TOOL_AXIS, Severity::Warning, reading.axis().first_normalised(), text, help);
         }
         if let Some((first, calls)) = self.subprograms.calls() {
             let text = format!(
@@ -472,7 +473,7 @@ impl<R: Read> ClReader<R> {
                  subprograms of the control; this is the first"
             );
             let help = "nothing needs to be done: each call is planned and checked where it is, with its own tool axis and state";
-            self.faults.add_about_file(Severity::Warning, first, text, help);
+            self.faults.add_about_file(cl::SUBPROGRAM, Severity::Warning, first, text, help);
         }
         if let Some((largest_mm, first)) = reading.tool().largest_cutter()
             && reading.units().are_only_given()
@@ -490,12 +491,12 @@ impl<R: Read> ClReader<R> {
                 ),
                 false => (Severity::Error, "add `--units in`, or `--units mm` if its cutters are as small as that"),
             };
-            self.faults.add_about_file(severity, first, text, help);
+            self.faults.add_about_file(cl::UNITS, severity, first, text, help);
         }
         if reading.path().motions() == 0 && !self.faults.failed() {
             let text = "the file contains no motion: no GOTO was found".into();
             let help = "check whether the tool path was generated in the CAM system before it was output";
-            self.faults.add_about_file(Severity::Error, Location { line: 1, column: 1 }, text, help);
+            self.faults.add_about_file(cl::FILE, Severity::Error, Location { line: 1, column: 1 }, text, help);
         }
         self.faults.conclude();
     }
@@ -514,7 +515,7 @@ impl<R: Read> ClReader<R> {
                 (true, false) => "if the CAM system uses the other sense, add `--circle-sense cw` or `ccw`",
                 (false, _) => "correct if the path reverses here in a cusp; else check the arc in the CAM system",
             };
-            self.faults.add_about_file(severity, first, text, help);
+            self.faults.add_about_file(cl::ARC, severity, first, text, help);
         }
     }
 }

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 use super::record::SubprogramName;
 use super::text::{ClFault, Span};
+use crate::diag::code::cl;
 use crate::program::Location;
 
 /// Largest size, in bytes, of the text of all subprograms of a file, and of the list of their statements.
@@ -154,5 +155,5 @@ pub(crate) fn unfinished() -> ClFault {
 }
 
 fn fault(at: Span, why: &str, help: &str) -> ClFault {
-    ClFault::new("subprogram", at, why, help)
+    cl::SUBPROGRAM.cl_fault("subprogram", at, why, help)
 }

@@ -1,6 +1,7 @@
 //! Vector algebra for frames and axes of CL data, and the limit on coordinates.
 
 use super::text::{ClFault, Span};
+use crate::diag::code::cl;
 use crate::nalgebra::Point3;
 
 /// Largest coordinate, one kilometre: no machine is larger, and words of an NC program would overflow.
@@ -13,7 +14,7 @@ pub(crate) fn within_a_kilometre(point: Point3<f64>, at: Span) -> Result<Point3<
     if point.iter().all(|value| value.abs() <= LARGEST_COORDINATE_MM) {
         return Ok(point);
     }
-    Err(Box::new(ClFault::new(
+    Err(Box::new(cl::NUMBER.cl_fault(
         "coordinate",
         at,
         "a coordinate is more than a kilometre from the origin",

@@ -7,6 +7,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use crate::check::{CheckError, Checked, check_data};
+use crate::diag::code::control;
 use crate::kinematics::AnyMachine;
 
 use super::args::{CheckArgs, MessageFormat};
@@ -82,7 +83,7 @@ pub(crate) fn failure(error: CheckError, name: &str, program: &Path) -> Failure 
     match error {
         CheckError::Input(error) => Failure::Unreadable(name.to_owned(), error),
         CheckError::Program(error) => Failure::unreadable(program, error),
-        CheckError::Impossible(text) => Failure::Argument(text),
+        CheckError::Impossible(text) => Failure::Reasons(control::UNFIT, vec![text]),
     }
 }
 

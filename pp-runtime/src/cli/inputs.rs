@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use crate::config::{self, Config, EditOptions};
 use crate::control::Control;
 use crate::diag::Diagnostic;
+use crate::diag::code::{config as config_code, control as control_code};
 use crate::kinematics::AnyMachine;
 
 use super::args::{MessageFormat, NamedFile, SetUpArgs};
@@ -31,7 +32,7 @@ pub(crate) fn read_config(
 /// Refuses a configuration that asks for something that control or machine cannot do.
 pub(crate) fn refuse_unfit(machine: &dyn AnyMachine, control: &dyn Control, config: &Config) -> Result<(), Failure> {
     let unfit = config.unfit(machine, control);
-    if unfit.is_empty() { Ok(()) } else { Err(Failure::Arguments(unfit)) }
+    if unfit.is_empty() { Ok(()) } else { Err(Failure::Reasons(control_code::UNFIT, unfit)) }
 }
 
 /// The configuration of a file over the defaults of a control.
@@ -49,7 +50,8 @@ pub(crate) fn read_config_file(
                 Some(help) => format!("{}; {help} (`--config`)", fault.text),
                 None => fault.text.clone(),
             };
-            Failure::Arguments(faults.iter().map(with_help).collect())
+            let code = faults.first().map_or(config_code::DIMENSIONS, |fault| fault.code);
+            Failure::Reasons(code, faults.iter().map(with_help).collect())
         }),
         Some(path) => {
             let text = read_text(path, "configuration")?;

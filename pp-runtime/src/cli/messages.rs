@@ -9,7 +9,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use serde::Serialize;
 
 use crate::check::Finding;
-use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity};
+use crate::diag::{Code, Diagnostic, LISTED_OF_A_KIND, Severity};
 use crate::program::Location;
 
 use super::args::MessageFormat;
@@ -29,6 +29,9 @@ struct JsonMessage<'a> {
     column: Option<u32>,
     length: Option<u32>,
     severity: &'a str,
+    /// Class of an error or a warning; a note has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    code: Option<&'static str>,
     text: &'a str,
     help: Option<&'a str>,
     /// Number of diagnostics or findings that the message represents.
@@ -59,28 +62,28 @@ impl<'a> MessageWriter<'a> {
     }
 
     /// An error of the run, without a place in a file.
-    pub(crate) fn error(&mut self, text: &str) {
-        self.without_location("error", &format!("error: {text}"), text);
+    pub(crate) fn error(&mut self, code: Code, text: &str) {
+        self.without_location("error", Some(code), &format!("error: {text}"), text);
     }
 
     /// A note without a place in a file.
     pub(crate) fn note(&mut self, text: &str) {
-        self.without_location("note", text, text);
+        self.without_location("note", None, text, text);
     }
 
     /// A warning without a place in a file.
     #[cfg(feature = "simulate")]
-    pub(crate) fn warning(&mut self, text: &str) {
-        self.without_location("warning", &format!("warning: {text}"), text);
+    pub(crate) fn warning(&mut self, code: Code, text: &str) {
+        self.without_location("warning", Some(code), &format!("warning: {text}"), text);
     }
 
-    fn without_location(&mut self, severity: &str, human: &str, text: &str) {
+    fn without_location(&mut self, severity: &str, code: Option<Code>, human: &str, text: &str) {
         match self.format {
             MessageFormat::Human => self.line(human),
             MessageFormat::Json => {
                 let (file, line, column, length, help) = (None, None, None, None, None);
-                let program = None;
-                self.json(&JsonMessage { file, line, column, length, severity, text, help, count: 1, program });
+                let (code, program) = (code.map(Code::name), None);
+                self.json(&JsonMessage { file, line, column, length, severity, code, text, help, count: 1, program });
             }
         }
     }
@@ -126,6 +129,7 @@ impl<'a> MessageWriter<'a> {
             column: Some(diagnostic.location.column),
             length: Some(diagnostic.length),
             severity: diagnostic.severity.name(),
+            code: Some(diagnostic.code.name()),
             text: &diagnostic.text,
             help: diagnostic.help.as_deref(),
             count: diagnostic.count,

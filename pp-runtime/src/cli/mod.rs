@@ -135,8 +135,8 @@ fn execute(
         let mut messages = MessageWriter::new(streams.errors, format);
         match failure {
             Failure::Reported => {}
-            Failure::Arguments(reasons) => reasons.iter().for_each(|reason| messages.error(reason)),
-            failure => messages.error(&failure.to_string()),
+            Failure::Reasons(code, reasons) => reasons.iter().for_each(|reason| messages.error(code, reason)),
+            failure => messages.error(failure.code(), &failure.to_string()),
         }
         Status::NotRun
     })

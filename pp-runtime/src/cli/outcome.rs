@@ -4,6 +4,9 @@ use std::io::{self, BufWriter, Read, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
+use crate::diag::Code;
+use crate::diag::code::run;
+
 /// Exit status of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
@@ -48,8 +51,8 @@ pub(crate) enum Failure {
     #[error("{0}")]
     Argument(String),
     /// Several reasons, each an error of its own.
-    #[error("{}", .0.join("; "))]
-    Arguments(Vec<String>),
+    #[error("{}", .1.join("; "))]
+    Reasons(Code, Vec<String>),
     /// The message has already been written, or nobody can read it.
     #[error("")]
     Reported,
@@ -85,6 +88,18 @@ impl Write for NamedWriter<'_> {
 }
 
 impl Failure {
+    /// Class of the message.
+    pub(crate) fn code(&self) -> Code {
+        match self {
+            Self::Unreadable(..) => run::READ,
+            Self::Unwritable(..) => run::WRITE,
+            Self::Changed(..) => run::READ,
+            Self::Overwrites(..) => run::WRITE,
+            Self::Argument(_) | Self::Reported => run::ARGUMENT,
+            Self::Reasons(code, _) => *code,
+        }
+    }
+
     /// `path`: the file that is read, unless the error names one that is written.
     pub(crate) fn unreadable(path: &Path, error: io::Error) -> Self {
         match error.downcast::<FileError>() {

@@ -7,6 +7,7 @@ use std::path::Path;
 use crate::check::CheckPolicy;
 use crate::config::Config;
 use crate::control::{Control, comments};
+use crate::diag::code::control;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::AnyMachine;
 use crate::post::{Job, LineMap, LineOrigin, PostError, ProgramEnd, Report};
@@ -291,7 +292,8 @@ impl PostRun<'_> {
         }
         let report = posted.map_err(|error| match error {
             PostError::Input(error) => Failure::Unreadable(name, error),
-            PostError::Unfit(text) | PostError::Operations(text) => Failure::Argument(text),
+            PostError::Unfit(text) => Failure::Reasons(control::UNFIT, vec![text]),
+            PostError::Operations(text) => Failure::Argument(text),
             PostError::Output(error) => unwritable(error),
         })?;
         written.map_err(unwritable)?;

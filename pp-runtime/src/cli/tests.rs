@@ -19,6 +19,7 @@ use super::posting::{PostFn, ProgramSink};
 use super::*;
 use crate::config::Config;
 use crate::config::sample::Sample;
+use crate::diag::code::cl;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Machine;
 use crate::post::{Job, LineMap, PostError, Report};
@@ -64,7 +65,7 @@ fn echo(
 
 fn finding(severity: Severity, line: u64, column: u32, length: u32, text: &str, help: Option<&str>) -> Diagnostic {
     let (text, help) = (text.to_owned(), help.map(str::to_owned));
-    Diagnostic { severity, location: Location { line, column }, length, text, help, count: 1 }
+    Diagnostic { code: cl::SYNTAX, severity, location: Location { line, column }, length, text, help, count: 1 }
 }
 
 /// Writes one block and then reports an error in line 2.

@@ -3,6 +3,7 @@
 use serde_json::{Value as Json, json};
 
 use crate::check::policy::{EditPolicy, EditedBlock, MeantEdit};
+use crate::diag::code::config;
 use crate::keys::{Bound, KeyKind, KeyReader, KeyScope, KeyTable, Measure, Printed, TomlValue, options};
 
 options! {
@@ -67,7 +68,7 @@ impl Edits {
             return None;
         }
         if edit.reason.trim().is_empty() {
-            r.fault(value.span(), "an edit that is meant has a `reason`", None);
+            r.report(config::MISSING, value.span(), "an edit that is meant has a `reason`", None);
             return None;
         }
         Some(edit)

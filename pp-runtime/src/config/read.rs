@@ -5,6 +5,7 @@ use toml::de::DeTable;
 use crate::cl::SetUpBegins;
 use crate::control::{CONTROLS, Control};
 use crate::diag::Diagnostics;
+use crate::diag::code::config;
 use crate::keys::{KeyReader, KeyScope, KeyTable, Keys};
 use crate::kinematics::{AnyMachine, Machine};
 use crate::options::Rapid;
@@ -18,7 +19,7 @@ pub(crate) fn read_edits(machine: &dyn AnyMachine, text: &str) -> Result<EditOpt
     let mut reader = KeyReader::new(text, scope(machine));
     let (root, errors) = DeTable::parse_recoverable(text);
     for error in &errors {
-        reader.fault(error.span().unwrap_or(0..0), error.message(), None);
+        reader.report(config::SYNTAX, error.span().unwrap_or(0..0), error.message(), None);
     }
     let mut edits = EditOptions::default();
     if !reader.has_faults() {
@@ -49,7 +50,7 @@ impl Config {
         let mut reader = KeyReader::new(text, scope(machine));
         let (root, errors) = DeTable::parse_recoverable(text);
         for error in &errors {
-            reader.fault(error.span().unwrap_or(0..0), error.message(), None);
+            reader.report(config::SYNTAX, error.span().unwrap_or(0..0), error.message(), None);
         }
         if reader.has_faults() {
             return Err(reader.into_faults());
@@ -92,7 +93,7 @@ impl Config {
         if !self.set_up.machine_zero.is_empty() {
             let span = file.get("machine_zero", r).map_or(0..0, |value| value.span());
             let help = "`machine_zero` follows from `table_zero` and `part_origin`: give one of the two".to_owned();
-            r.fault(span, "`machine_zero` beside `table_zero`", Some(help));
+            r.report(config::CONFLICT, span, "`machine_zero` beside `table_zero`", Some(help));
             return;
         }
         // Without its required dimensions nothing is posted.
@@ -116,7 +117,7 @@ impl Config {
         if let Some(what) = twice.filter(|_| !r.has_faults()) {
             let span = file.get("set_ups", r).map_or(0..0, |value| value.span());
             let help = "each set-up has frames and a work offset of its own".to_owned();
-            r.fault(span, format!("{what} belongs to two set-ups"), Some(help));
+            r.report(config::CONFLICT, span, format!("{what} belongs to two set-ups"), Some(help));
         }
     }
 
@@ -126,19 +127,19 @@ impl Config {
         if self.motion.guards.length_guard == Some(true) && self.set_up.length_mode == LengthMode::Gauge {
             let span = file.get("length_guard", r).map_or(0..0, |value| value.span());
             let help = "in that mode no length offset is active: remove `length_guard`".to_owned();
-            r.fault(span, "`length_guard = true` beside `length_mode = \"gauge\"`", Some(help));
+            r.report(config::CONFLICT, span, "`length_guard = true` beside `length_mode = \"gauge\"`", Some(help));
         }
         let rapids = &self.motion.rapids;
         if rapids.rapid == Rapid::Feed && rapids.rapid_feed_mm_per_min.is_none() && !r.is_given("rapid_feed") {
             let help = "give it per minute: `rapid_feed = 10000`".to_owned();
-            r.fault(0..0, "rapid = \"feed\" needs `rapid_feed`", Some(help));
+            r.report(config::MISSING, 0..0, "rapid = \"feed\" needs `rapid_feed`", Some(help));
         }
         if !r.has_faults()
             && let Err(invalid) = self.set_up.machine_for(machine)
         {
             let span = file.get("dimensions", r).map_or(0..0, |value| value.span());
             let (text, help) = self.set_up.refusal(machine, &invalid);
-            r.fault(span, text, Some(help));
+            r.report(config::DIMENSIONS, span, text, Some(help));
         }
     }
 }

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value as Json, json};
 
+use crate::diag::code::config;
 use crate::keys::{Bound, KeyKind, KeyReader, KeyScope, Measure, Printed, TomlValue, list, nearest};
 use crate::program::Drilling;
 
@@ -144,7 +145,7 @@ impl KeyKind for States {
                     Some(near) => format!("did you mean `{near}`?"),
                     None => format!("states: {}", list(names(), '`')),
                 };
-                r.fault(span, format!("unknown state of a control `{key}`"), Some(help));
+                r.report(config::UNKNOWN_KEY, span, format!("unknown state of a control `{key}`"), Some(help));
                 continue;
             }
             if let Some(value) = VALUE.read(r, value) {

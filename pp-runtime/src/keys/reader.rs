@@ -7,7 +7,8 @@ use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::diag::{Diagnostic, Diagnostics, Severity};
+use crate::diag::code::config;
+use crate::diag::{Code, Diagnostic, Diagnostics, Severity};
 use crate::kinematics::{Axis, Limits};
 use crate::program::{Location, Units};
 
@@ -157,12 +158,12 @@ impl<'t> KeyReader<'t> {
             let path = format!("{table}{dot}{name}");
             if !table.is_empty() && above.contains(&name.as_str()) {
                 let help = format!("`{name}` belongs before the first [section] of the file");
-                self.fault(span, format!("unknown key `{path}`"), Some(help));
+                self.report(config::UNKNOWN_KEY, span, format!("unknown key `{path}`"), Some(help));
             } else if let Some(near) = nearest(&name, known.iter().copied()) {
-                self.fault(span, format!("unknown key `{path}`; did you mean `{near}`?"), None);
+                self.report(config::UNKNOWN_KEY, span, format!("unknown key `{path}`; did you mean `{near}`?"), None);
             } else {
                 let help = format!("known keys are {}", list(known.iter().copied(), '`'));
-                self.fault(span, format!("unknown key `{path}`"), Some(help));
+                self.report(config::UNKNOWN_KEY, span, format!("unknown key `{path}`"), Some(help));
             }
         }
     }
@@ -187,7 +188,13 @@ impl<'t> KeyReader<'t> {
         Diagnostics(self.faults)
     }
 
+    /// Reports a value that is not permitted.
     pub(crate) fn fault(&mut self, span: Range<usize>, text: impl Into<String>, help: Option<String>) {
+        self.report(config::VALUE, span, text, help);
+    }
+
+    /// Reports a fault with its code.
+    pub(crate) fn report(&mut self, code: Code, span: Range<usize>, text: impl Into<String>, help: Option<String>) {
         let bytes = self.text.as_bytes();
         let start = span.start.min(bytes.len());
         let line_start = bytes[..start].iter().rposition(|&byte| byte == b'\n').map_or(0, |at| at + 1);
@@ -195,6 +202,7 @@ impl<'t> KeyReader<'t> {
         let line = 1 + bytes[..start].iter().filter(|&&byte| byte == b'\n').count();
         let length = span.end.min(line_end).saturating_sub(start).max(1);
         self.faults.push(Diagnostic {
+            code,
             severity: Severity::Error,
             location: Location { line: line as u64, column: clamp_u32(start - line_start + 1) },
             length: clamp_u32(length),

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::io;
 
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Code, Diagnostic, Severity};
 use crate::program::Location;
 
 /// The cause of a fault in plain words, and its remedy. Boxed: a result that may be a fault is one word.
@@ -12,15 +12,19 @@ pub(crate) struct Fault(Box<FaultCause>);
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct FaultCause {
+    code: Code,
     text: String,
     help: Option<String>,
 }
 
-impl Fault {
-    pub(crate) fn new(text: impl Display) -> Self {
-        Self(Box::new(FaultCause { text: text.to_string(), help: None }))
+impl Code {
+    /// The fault with this code.
+    pub(crate) fn fault(self, text: impl Display) -> Fault {
+        Fault(Box::new(FaultCause { code: self, text: text.to_string(), help: None }))
     }
+}
 
+impl Fault {
     pub(crate) fn help(mut self, help: impl Display) -> Self {
         self.0.help = Some(help.to_string());
         self
@@ -34,8 +38,8 @@ impl Fault {
 
     /// The diagnostic at a location.
     pub(crate) fn at(self, location: Location, severity: Severity) -> Diagnostic {
-        let FaultCause { text, help } = *self.0;
-        Diagnostic { severity, location, length: 1, text, help, count: 1 }
+        let FaultCause { code, text, help } = *self.0;
+        Diagnostic { code, severity, location, length: 1, text, help, count: 1 }
     }
 }
 

@@ -33,6 +33,7 @@ use std::ops::ControlFlow;
 use crate::cl::{ClData, ClEvents, FromHere, ReadSeek};
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
+use crate::diag::code::config;
 use crate::diag::{Diagnostic, Remarks, Severity};
 use crate::kinematics::{AnyMachine, AxisKind, Machine};
 use crate::motion::{
@@ -192,6 +193,7 @@ fn unguarded(number: u32) -> String {
 /// The error that the place of the part on a table that rotates is not known.
 fn unknown_part_origin(location: Location) -> Diagnostic {
     Diagnostic {
+        code: config::PART_ORIGIN,
         severity: Severity::Error,
         location,
         length: 1,

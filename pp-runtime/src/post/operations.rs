@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 
 use crate::config::{Config, list, nearest};
+use crate::diag::code::config;
 use crate::diag::{Diagnostic, Severity, counted};
 use crate::motion::OperationStart;
 use crate::options::{Mode, OperationChoice, OperationSettings, Operations, Singular};
@@ -130,7 +131,15 @@ impl OperationNames {
             (None, _) => format!("the operations are {}", self.listed()),
         };
         let text = format!("`{}` of the configuration is for no operation of the CL data", entry.shown());
-        Some(Diagnostic { severity: Severity::Error, location, length: 1, count: 1, text, help: Some(help) })
+        Some(Diagnostic {
+            code: config::OPERATION,
+            severity: Severity::Error,
+            location,
+            length: 1,
+            count: 1,
+            text,
+            help: Some(help),
+        })
     }
 }
 

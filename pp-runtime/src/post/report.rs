@@ -5,6 +5,7 @@ use std::fmt::{self, Display, Formatter};
 use super::survey::{Stretches, Survey, UsedModes};
 use super::{Job, header, time};
 use crate::config::Config;
+use crate::diag::code::config;
 use crate::diag::{Diagnostic, Severity, counted};
 use crate::kinematics::{AnyMachine, Invalid};
 use crate::motion::{ChordedArcs, Cost, Course, Statistics, Threads, Times};
@@ -143,6 +144,7 @@ impl Report {
     pub(super) fn refuse(&mut self, machine: &dyn AnyMachine, set_up: &SetUp, invalid: &Invalid) {
         let (text, help) = set_up.refusal(machine, invalid);
         self.fault(Diagnostic {
+            code: config::DIMENSIONS,
             severity: Severity::Error,
             location: Location::default(),
             length: 1,

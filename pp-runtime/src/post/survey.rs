@@ -13,6 +13,7 @@ use nalgebra::UnitVector3;
 use crate::cl::{ClEvents, FileFacts};
 use crate::config::Config;
 use crate::control::StepCycles;
+use crate::diag::code::{config, plan};
 use crate::diag::{Diagnostic, Severity, counted};
 use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{AnyMachine, Pose};
@@ -510,6 +511,7 @@ fn set_up_missing(number: u32, set_up: &FurtherSetUp, location: Location) -> Dia
         None => "the CL data does not state its frames".to_owned(),
     };
     Diagnostic {
+        code: config::SET_UP,
         severity: Severity::Error,
         location,
         length: 1,
@@ -521,6 +523,7 @@ fn set_up_missing(number: u32, set_up: &FurtherSetUp, location: Location) -> Dia
 
 fn too_many_tools(location: Location) -> Diagnostic {
     Diagnostic {
+        code: plan::TOOL,
         severity: Severity::Error,
         location,
         length: 1,

@@ -12,6 +12,7 @@ use super::obligations::{Duty, DutyEvent, DutyPlace, Station};
 use super::phase::{Cutting, Phase, Retracted, RetractedLength, RewindPoint};
 use super::{Comparison, Current, parking, retract};
 use crate::check::tolerances::{ALONG_PLANE_NORMAL, BOTH, COMES_BACK};
+use crate::diag::code::check;
 
 /// What a block of an approach moves.
 #[derive(Debug, Clone, Copy)]
@@ -48,7 +49,7 @@ impl Comparison<'_> {
         }
         if self.rules.clamps() != 0 && retracted.rewind.is_none() {
             let held = self.functions.rotates_from_restart(current.block, &self.rules);
-            self.found_any(current, held);
+            self.found_any(current, check::CLAMP, held);
         }
         let step = self.approach_step(retracted, current.block);
         if self.goes_elsewhere(retracted, step, current) {
@@ -58,6 +59,7 @@ impl Comparison<'_> {
         if step.number == 0 || step.number < retracted.step {
             self.found(
                 current,
+                check::SEQUENCE,
                 "order of the approach: expected rotary axes first, then the other linear axes, the retract axis last",
             );
         }
@@ -167,6 +169,7 @@ impl Comparison<'_> {
         {
             self.found(
                 current,
+                check::SEQUENCE,
                 "tip control or a tilted plane is switched after linear axes have moved in the approach",
             );
         }
@@ -174,7 +177,7 @@ impl Comparison<'_> {
             *since |= block.written & rotary;
             if step.enters_tip_control && *since != rotary {
                 self.found(
-                    current,
+                    current, check::SEQUENCE,
                     "the plane call may have left a rotary axis in another revolution or pose: its word is missing before tip control",
                 );
             }
@@ -209,7 +212,7 @@ impl Comparison<'_> {
             return None;
         }
         if !self.rules.is_known(block, block.known) {
-            self.found(current, "the position of an axis is unknown at the approach point");
+            self.found(current, check::SEQUENCE, "the position of an axis is unknown at the approach point");
             self.progress.set_lost(true);
             return Some(Phase::Cutting(Box::default()));
         }
@@ -229,6 +232,7 @@ impl Comparison<'_> {
         if !over {
             self.found(
                 current,
+                check::SEQUENCE,
                 "linear axes move together with the retract axis: they must be over the approach point before",
             );
         }
@@ -254,7 +258,7 @@ impl Comparison<'_> {
         });
         if let Some(axis) = again.and_then(|index| self.rules.axes().get(index)) {
             let text = format!("{} moves twice in this approach, to different positions", axis.letter);
-            self.found(current, &text);
+            self.found(current, check::SEQUENCE, &text);
         }
         retracted.approach = (block.values, moved | block.written);
     }
@@ -274,7 +278,11 @@ impl Comparison<'_> {
         };
         if let Some(index) = self.rules.words().rotary().find(too_far) {
             let letter = self.rules.axes()[index].letter;
-            self.found(current, &format!("{letter} rotates by more than two revolutions in this approach"));
+            self.found(
+                current,
+                check::SEQUENCE,
+                &format!("{letter} rotates by more than two revolutions in this approach"),
+            );
         }
     }
 
@@ -289,13 +297,17 @@ impl Comparison<'_> {
         let off = angle_between(&axis, &end.axis);
         if off > self.rules.axis_allowance(&end.axis) {
             let off = off.to_degrees();
-            self.found(current, &format!("the rotary axes are {off:.4}° off the tilted plane"));
+            self.found(current, check::SEQUENCE, &format!("the rotary axes are {off:.4}° off the tilted plane"));
         } else if let Some(motion) = self.progress.motion() {
             let off = angle_between(&axis, &motion.to.axis);
             let largest = if self.rules.may_be_led(&motion.to.axis) { rounding.pole_rad } else { rounding.rotary_rad };
             if off > largest {
                 let off = off.to_degrees();
-                self.found(current, &format!("the rotary axes are {off:.4}° off the tool axis of the CL data"));
+                self.found(
+                    current,
+                    check::SEQUENCE,
+                    &format!("the rotary axes are {off:.4}° off the tool axis of the CL data"),
+                );
             }
         }
     }
@@ -323,14 +335,14 @@ impl Comparison<'_> {
         self.progress.restart_motion();
         self.missing_dwells(current, true);
         let Some(starts) = self.progress.motion().map(|motion| motion.starts) else {
-            self.found(current, "approach, but the CL data has no motion here");
+            self.found(current, check::ORDER, "approach, but the CL data has no motion here");
             return cutting;
         };
         let of_item = |item: &ExpectedItem| (item.required.tool, item.required.register);
         let tool = self.progress.next().map_or((None, 0), of_item);
         let goes_on = std::mem::take(&mut self.previous.measured);
         let missing = self.shop_lines.approach(starts, goes_on, tool);
-        self.found_all(current, missing);
+        self.found_all(current, check::SHOP_LINE, missing);
         if starts {
             self.come_to(DutyPlace::Operation, None, current);
         }
@@ -344,6 +356,7 @@ impl Comparison<'_> {
             let angle = angle.to_degrees();
             self.found(
                 current,
+                check::SEQUENCE,
                 &format!(
                     "the approach ends {} from the approach point, the tool axis is {angle:.4}° off",
                     self.rules.units().deviation(off)
@@ -351,7 +364,7 @@ impl Comparison<'_> {
             );
         }
         if above == to && !rapid {
-            self.found(current, "the approach leads to the end of a cut");
+            self.found(current, check::SEQUENCE, "the approach leads to the end of a cut");
         }
         self.progress.approach(above);
         self.previous.arc_plane = None;
@@ -408,7 +421,7 @@ impl Comparison<'_> {
     /// A retract with coolant, if it was `wet`, although the cut does not continue.
     pub(super) fn found_wet(&mut self, wet: bool, current: &Current<'_>) {
         if wet {
-            self.found(current, "coolant was on in the retract before this block, expected off");
+            self.found(current, check::STATE, "coolant was on in the retract before this block, expected off");
         }
     }
 
@@ -445,7 +458,11 @@ impl Comparison<'_> {
         });
         let largest_rad = COMES_BACK * self.rules.axis_allowance(&pose.axis);
         if back.is_none() || angle_between(&pose.axis, &end.axis) > largest_rad {
-            self.found(current, "after the rewind the tool does not return above the point that it left");
+            self.found(
+                current,
+                check::SEQUENCE,
+                "after the rewind the tool does not return above the point that it left",
+            );
         }
         Segment { from: above, to: pose, shape: PathShape::Line }
     }
@@ -459,13 +476,17 @@ impl Comparison<'_> {
         self.found_state(current, fault);
         self.parks_at_end(current);
         if retracted.linear_parked && self.rules.policy().links.home_mm.is_none() {
-            self.found(current, "the rotary axes are parked after linear axes");
+            self.found(current, check::SEQUENCE, "the rotary axes are parked after linear axes");
         }
         retracted.parks = true;
         let turned = self.rules.moved(&self.previous.words, self.previous.known, block) != 0;
         self.home_before_rotation(retracted, turned, current);
         if !parking::moves_rotary(&self.rules, &self.rules.policy().links.park, &self.previous, block) {
-            self.found(current, "the CL data has no motion here, and this is no parking position of the configuration");
+            self.found(
+                current,
+                check::ORDER,
+                "the CL data has no motion here, and this is no parking position of the configuration",
+            );
         }
     }
 
@@ -480,12 +501,17 @@ impl Comparison<'_> {
         let state = &current.block.state;
         let expected = self.rules.meaning() == LinearMeaning::PlaneCoordinates || self.rules.may_have_tip_control();
         let Some(tilt) = state.tilt.filter(|_| expected) else {
-            self.found(current, "the control positions the rotary axes to a tilted plane where none is expected");
+            self.found(
+                current,
+                check::SEQUENCE,
+                "the control positions the rotary axes to a tilted plane where none is expected",
+            );
             return;
         };
         if tilt.rotates_table {
             self.found(
                 current,
+                check::STATE,
                 "the control may rotate the table so that X of the plane is its X (COORD ROT is missing)",
             );
         }
@@ -494,12 +520,20 @@ impl Comparison<'_> {
         let words = self.rules.words();
         let [axis, normal] = [words.tool_axis_at(&self.previous.words), words.place(&self.previous.words, state).axis];
         if known && angle_between(&axis, &normal) > ALONG_PLANE_NORMAL.max(self.rules.rounding().of_plane_rad()) {
-            self.found(current, "the plane call rotates the rotary axes: they are not where the plane has them");
+            self.found(
+                current,
+                check::SEQUENCE,
+                "the plane call rotates the rotary axes: they are not where the plane has them",
+            );
         }
         if let Some(higher) = tilt.pose.filter(|_| known)
             && self.travel.selects_other_pose(&self.rules, &self.previous.words, higher)
         {
-            self.found(current, "the plane call selects the other pose: the rotary axes would rotate to it");
+            self.found(
+                current,
+                check::SEQUENCE,
+                "the plane call selects the other pose: the rotary axes would rotate to it",
+            );
         }
     }
 
@@ -507,7 +541,7 @@ impl Comparison<'_> {
     pub(super) fn is_complete(&mut self, phase: &Phase, current: &Current<'_>) {
         let Phase::Retracted(retracted) = phase else { return };
         if retracted.step > 0 && !retracted.parks {
-            self.found(current, "the approach before this block does not end at an approach point");
+            self.found(current, check::SEQUENCE, "the approach before this block does not end at an approach point");
         }
         if let Some(rewind) = &retracted.rewind {
             self.found_wet(rewind.wet, current);

@@ -8,6 +8,7 @@ use nalgebra::Vector2;
 use super::super::geometry::{ContourSide, FitTool, FittedSide, NoFit};
 use super::super::read::{Action, ArcMove, SideOfPath, WorkPlane};
 use super::{Comparison, Current};
+use crate::diag::code::check;
 use crate::program::Units;
 
 /// Contour that is being followed.
@@ -70,7 +71,7 @@ impl Comparison<'_> {
         }
         for (index, fault) in faults.into_iter().enumerate() {
             let text = fault.map(|(no_fit, radius)| self.no_fit_text(no_fit, radius, index, begins));
-            self.found_any(current, text);
+            self.found_any(current, check::CUTTER_COMPENSATION, text);
         }
         self.contour.last_line = line_number;
         if side == SideOfPath::None {
@@ -103,6 +104,7 @@ impl Comparison<'_> {
             };
             self.found(
                 current,
+                check::CUTTER_COMPENSATION,
                 &format!("{text}; give coolant, spindle and other functions before CUTCOM or after it"),
             );
         }

@@ -21,6 +21,7 @@ use super::rapid::{RapidPart, RapidRules, is_on_line, rollover_travel};
 use super::retract::RetractStart;
 use super::{Comparison, Current, Previous, retract};
 use crate::check::tolerances::{BOTH, COMES_BACK};
+use crate::diag::code::check;
 use crate::kinematics::math::smaller;
 use crate::program::{Drilling, Feed, Location};
 use crate::shortcut::Shortcut;
@@ -32,16 +33,16 @@ impl Comparison<'_> {
     /// A block at the part without an approach.
     pub(super) fn astray(&mut self, phase: &mut Phase, current: &Current<'_>) -> io::Result<Option<Phase>> {
         if !self.rules.is_known(current.block, current.block.known) {
-            self.found(current, "the position of an axis is unknown at this block");
+            self.found(current, check::PATH, "the position of an axis is unknown at this block");
             return Ok(None);
         }
         let mut cutting = match phase {
             Phase::Leaving(leaving) => {
-                self.found(current, "machine retract expected after the retract along the tool axis");
+                self.found(current, check::SEQUENCE, "machine retract expected after the retract along the tool axis");
                 Cutting { here: Some(leaving.here), retract: leaving.retract, ..Cutting::default() }
             }
             _ => {
-                self.found(current, "motion at the part without an approach before it");
+                self.found(current, check::ORDER, "motion at the part without an approach before it");
                 Cutting::default()
             }
         };
@@ -54,7 +55,7 @@ impl Comparison<'_> {
     pub(super) fn cut(&mut self, cutting: &mut Cutting, current: &Current<'_>) -> io::Result<Option<Phase>> {
         let block = current.block;
         if !self.rules.is_known(block, block.known) {
-            self.found(current, "the position of an axis is unknown at this block");
+            self.found(current, check::PATH, "the position of an axis is unknown at this block");
             return Ok(None);
         }
         self.stays_in_plane(current);
@@ -114,7 +115,7 @@ impl Comparison<'_> {
         let limit = 1.5 * self.rules.rounding().unit_rad;
         let moved = |index: usize| (block.values[index] - self.previous.words[index]).abs() > limit;
         if (0..MAX_AXES).any(|index| known & (1 << index) != 0 && moved(index)) {
-            self.found(current, "rotary axes move out of the tilted plane at the part");
+            self.found(current, check::PATH, "rotary axes move out of the tilted plane at the part");
         }
     }
 
@@ -278,12 +279,12 @@ impl Comparison<'_> {
                 true => "this motion is a rapid in the CL data and is programmed at feed",
                 false => "this motion is a feed motion in the CL data and is programmed as a rapid",
             };
-            self.found(current, text);
+            self.found(current, check::FEED, text);
         } else if at_feed && !judged {
             let fault = self.functions.smoothing(&block.state, &self.rules, part.required.smoothing);
             let right = self.rules.is_judged_by_state(block, &part.required) && fault.is_none() && right_state;
             self.right_state = right.then(|| Rc::clone(&part.required));
-            self.found_any(current, fault);
+            self.found_any(current, check::STATE, fault);
         }
         if at_feed == expects_feed && follows_path && known && !self.progress.is_lost() {
             let here = cutting.here.unwrap_or_else(|| self.rules.words().place(&self.previous.words, &block.state));
@@ -323,7 +324,7 @@ impl Comparison<'_> {
     fn compare_functions(&mut self, current: &Current<'_>, part: &MotionPart, rotates: bool) {
         if part.required.side != SideOfPath::None {
             let unguarded = self.functions.cut_with_radius(&self.rules);
-            self.found_any(current, unguarded);
+            self.found_any(current, check::GUARD, unguarded);
         }
         if rotates {
             let rotated_rad = self.rules.words().rotary_travel(&self.previous.words, &current.block.values);
@@ -332,6 +333,7 @@ impl Comparison<'_> {
                 let degrees = rotated_rad.to_degrees();
                 self.found(
                     current,
+                    check::PATH,
                     &format!("a rotary axis rotates by {degrees:.3}° in this cut, farther than any tool axis asks for"),
                 );
             }
@@ -411,7 +413,11 @@ impl Comparison<'_> {
     /// Reports a rapid that rotates the rotary axes at the part.
     pub(super) fn rotates_at_part(&mut self, current: &Current<'_>) {
         if self.rules.link_form() != RotatingRapid::OneRapid {
-            self.found(current, "this rapid rotates the rotary axes near the part: the retract before it is missing");
+            self.found(
+                current,
+                check::SEQUENCE,
+                "this rapid rotates the rotary axes near the part: the retract before it is missing",
+            );
         }
     }
 
@@ -442,7 +448,7 @@ impl Comparison<'_> {
         if tip > largest_mm {
             let [tip, largest] = [tip, largest_mm].map(|mm| self.rules.units().deviation(mm));
             let text = format!("within this block the tip deviates from its path by {tip}, allowed {largest}");
-            self.found(current, &text);
+            self.found(current, check::PATH, &text);
         }
         let policy = self.rules.policy();
         if deviation.axis_rad > largest && !policy.links.rewinds_in_cut {
@@ -450,7 +456,7 @@ impl Comparison<'_> {
             let text = format!(
                 "within this block the tool axis deviates from its great circle by {axis:.4}°, allowed {largest:.4}°"
             );
-            self.found(current, &text);
+            self.found(current, check::PATH, &text);
         }
         // Where the tool axis rotates in the plane of its ends it is in step with the tip, within the tolerance of
         // that.
@@ -462,7 +468,7 @@ impl Comparison<'_> {
             let text = format!(
                 "within this block the tool axis is {lag:.4}° from where it should be at the tip, allowed {largest:.4}°"
             );
-            self.found(current, &text);
+            self.found(current, check::PATH, &text);
         }
         BetweenEnds::Measured(deviation)
     }
@@ -577,7 +583,7 @@ impl Comparison<'_> {
         let as_asked = || Stroke { length_mm: (part.share - along).abs() * segment.length(), ..stroke.clone() };
         let is_line = matches!(segment.shape, PathShape::Line);
         let fault = of(&stroke).filter(|_| !is_line || of(&as_asked()).is_some());
-        self.found_any(current, fault);
+        self.found_any(current, check::FEED, fault);
     }
 
     /// Whether a block is the next rapid, and the retract before it no rewind: the cut was done.
@@ -605,7 +611,7 @@ impl Comparison<'_> {
         let required = goes_on.map(|item| &item.required).or(cutting.finished.as_ref().map(|motion| &motion.required));
         if let Some(expected) = required.map(|required| required.smoothing) {
             let smoothing = self.functions.smoothing(&block.state, &self.rules, expected);
-            self.found_any(current, smoothing);
+            self.found_any(current, check::STATE, smoothing);
         }
         let (before, known) = (self.previous.words, self.previous.known);
         let rotary = self.rules.words().rotary_bits();
@@ -613,6 +619,7 @@ impl Comparison<'_> {
         if known & rotary == rotary && rotated > 1.5 * self.rules.rounding().unit_rad {
             self.found(
                 current,
+                check::SEQUENCE,
                 "the rotary axes rotate on the way back to the part: a rewind rotates them at the retract position \
                  only",
             );
@@ -629,7 +636,7 @@ impl Comparison<'_> {
             let stroke = || self.rules.stroke(&before, block, (back.length(), f64::INFINITY), *programmed, required);
             let feed =
                 if feed { self.rules.feed_fault(&stroke(), &block.state, back, [&back.from, &back.to]) } else { None };
-            state.or(feed.map(StateFault::from))
+            state.or(feed.map(|text| StateFault { code: check::FEED, ..text.into() }))
         };
         let faults: Vec<Option<StateFault>> = next.iter().chain(&finished).map(fault).collect();
         if faults.iter().all(Option::is_some) {
@@ -757,9 +764,13 @@ impl Comparison<'_> {
     fn end_rapid_steps(&mut self, steps: &RapidSteps, current: &Current<'_>) {
         let end = &current.block.values;
         if !is_on_line(&self.rules, steps, end) {
-            self.found(current, "the intermediate points of this rapid are not on its path");
+            self.found(current, check::PATH, "the intermediate points of this rapid are not on its path");
         } else if rollover_travel(&self.rules, &steps.start, end) < PI - self.rules.rounding().unit_rad {
-            self.found(current, "this rapid is split into steps, but no rotary axis moves by 180° or more");
+            self.found(
+                current,
+                check::PATH,
+                "this rapid is split into steps, but no rotary axis moves by 180° or more",
+            );
         }
     }
 
@@ -782,7 +793,7 @@ impl Comparison<'_> {
             }
         }
         let text = self.progress.mismatch(&self.rules, cutting.here.as_ref(), end);
-        self.tally.found_lost(self.progress.location(), current.shown, &text);
+        self.tally.found_lost(check::PATH, self.progress.location(), current.shown, &text);
         if continues.is_some() {
             self.progress.pass();
         }
@@ -815,15 +826,23 @@ impl Comparison<'_> {
         self.missing_dwells(current, false);
         // A whole revolution leaves the tool axis the same at both ends, but not between.
         if self.rules.moved(&self.previous.words, self.previous.known, current.block) != 0 {
-            self.found(current, "rotary axes rotate in this retract along the tool axis");
+            self.found(current, check::SEQUENCE, "rotary axes rotate in this retract along the tool axis");
         }
         if self.stops_in_cut(current.block) {
-            self.found(current, "the spindle is off before this retract along the tool axis, and was on in the cut");
+            self.found(
+                current,
+                check::STATE,
+                "the spindle is off before this retract along the tool axis, and was on in the cut",
+            );
         }
         // The machine retract that follows each restart point has not come.
         let after_restart = self.duties.owes(Duty::Retract) && !self.duties.owes(Duty::RetractAfterShopLine);
         if after_restart && !self.duties.owes(Duty::CompleteState) {
-            self.found(current, "the retract along the tool axis comes after the restart point of the next operation");
+            self.found(
+                current,
+                check::SEQUENCE,
+                "the retract along the tool axis comes after the restart point of the next operation",
+            );
         }
         let rewind = self.rewind_point(cutting, Some(out), current.block);
         let dry = rewind.is_none() || self.rules.policy().links.rewinds_dry;

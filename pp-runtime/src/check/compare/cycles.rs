@@ -11,6 +11,7 @@ use super::hole::{CycleComparison, is_over, pose_at, words_at};
 use super::obligations::{DutyEvent, DutyPlace};
 use super::phase::{Cutting, Phase, RetractedLength};
 use super::{Comparison, Current, Findings};
+use crate::diag::code::check;
 use crate::program::Feed;
 
 impl Comparison<'_> {
@@ -58,7 +59,11 @@ impl Comparison<'_> {
                 }
                 let at_feed = self.rules.policy().links.rapid == RapidForm::Feed;
                 if at_feed && !self.is_in_thread() && !self.progress.is_approached() {
-                    self.found(current, "this motion to the next hole is programmed as a rapid, expected at feed");
+                    self.found(
+                        current,
+                        check::FEED,
+                        "this motion to the next hole is programmed as a rapid, expected at feed",
+                    );
                 }
             } else if let Some(here) = cutting.here {
                 let length = (end.tip - here.tip).norm();
@@ -67,9 +72,9 @@ impl Comparison<'_> {
                 let before = &self.previous.words;
                 let stroke = self.rules.stroke(before, current.block, (length, f64::INFINITY), feed, &required);
                 let fault = self.rules.law().wrong(&stroke, &current.block.state);
-                self.found_any(current, fault);
+                self.found_any(current, check::HOLE, fault);
                 let fault = self.functions.smoothing(&current.block.state, &self.rules, required.smoothing);
-                self.found_any(current, fault);
+                self.found_any(current, check::STATE, fault);
             }
         }
         lifts
@@ -100,19 +105,19 @@ impl Comparison<'_> {
         let item = self.progress.next().and_then(|item| Some((item.hole.clone()?, Rc::clone(&item.required))));
         let end = pose_at(&self.rules, block, cycle.back_to);
         let Some((expected, required)) = item else {
-            self.found(current, "cycle, but the CL data has no hole here");
+            self.found(current, check::ORDER, "cycle, but the CL data has no hole here");
             if let Phase::Cutting(cutting) = phase {
                 cutting.here = end;
             }
             return Ok(None);
         };
         if self.progress.is_made(expected.number) {
-            self.found(current, "this hole has been made already: the cycle runs twice");
+            self.found(current, check::HOLE, "this hole has been made already: the cycle runs twice");
         }
         self.duties.happens(DutyEvent::Cycle);
         let starts = self.progress.motion().is_some_and(|motion| motion.starts);
         if !matches!(phase, Phase::Cutting(_)) || (starts && !self.progress.is_approached()) {
-            self.found(current, "cycle without an approach before it");
+            self.found(current, check::ORDER, "cycle without an approach before it");
         }
         self.compare_state_of_cycle(current, &required);
         let (stays, back, way_out_mm) = self.compare_hole(current, cycle, &expected, &required);
@@ -139,7 +144,7 @@ impl Comparison<'_> {
         // Smoothing is off in a cycle.
         let off = RequiredSmoothing { level: None, ..required.smoothing };
         let fault = self.functions.smoothing(&block.state, &self.rules, off);
-        self.found_any(current, fault);
+        self.found_any(current, check::HOLE, fault);
     }
 
     /// The levels and the kind of a cycle. Returns whether the way up to the return level is left to a motion, where
@@ -177,17 +182,17 @@ impl Comparison<'_> {
         if self.rotates(block) {
             self.rotates_at_part(current);
         }
-        faults.iter().for_each(|text| self.found(current, text));
+        faults.iter().for_each(|text| self.found(current, check::HOLE, text));
         (stays, back, way_out_mm)
     }
 
     /// Reports a wrong level of a cycle, and its travel limits.
     fn level_found(&mut self, current: &Current<'_>, level_mm: f64, found: Option<(f64, Option<String>)>) {
         let Some((off, text)) = found else {
-            return self.found(current, "cycle without a known working plane");
+            return self.found(current, check::HOLE, "cycle without a known working plane");
         };
         if let Some(text) = text {
-            self.found(current, &text);
+            self.found(current, check::HOLE, &text);
         }
         self.tally.deviation(off, 0.0);
         if let Some(values) = words_at(&self.rules, current.block, level_mm) {

@@ -9,6 +9,7 @@ use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::Phase;
 use super::{Comparison, Current, plane_guard};
 use crate::check::tolerances::SHORT_SPINDLE_DWELL;
+use crate::diag::code::check;
 
 /// Coolant through the spindle, with any pressure: bits.
 const THROUGH: u8 = coolant::THROUGH | coolant::PRESSURES[0] | coolant::PRESSURES[1] | coolant::PRESSURES[2];
@@ -27,7 +28,7 @@ impl Comparison<'_> {
         let is_line = !is_of_cl && !block.goes_on;
         if is_line && (!phase.is_at_part() || !current.block.action.moves()) {
             let of_another = self.shop_lines.note(current.shown.text, block.state.tool);
-            self.found_any(current, of_another);
+            self.found_any(current, check::SHOP_LINE, of_another);
         }
         if !block.only_moves {
             self.guards_and_restart(phase, current);
@@ -87,6 +88,7 @@ impl Comparison<'_> {
             if twice && (index == 0 || !is_on[index]) {
                 self.found(
                     current,
+                    check::SHOP_LINE,
                     &format!("the {what} has been switched on before, and nothing has moved or waited since"),
                 );
             }
@@ -111,11 +113,11 @@ impl Comparison<'_> {
         }
         let ended = self.progress.next().is_none();
         let misplaced = place_of_line(&own.places, phase, self.tally.motions(), ended);
-        self.found_any(current, misplaced.filter(|_| !is_of_cl));
+        self.found_any(current, check::SHOP_LINE, misplaced.filter(|_| !is_of_cl));
         self.begins_operation(own, is_of_cl, current);
         let register = self.progress.next().map(|item| item.required.register);
         let of_another = self.shop_lines.values_fault(own, current.block.state.tool, register);
-        self.found_any(current, of_another);
+        self.found_any(current, check::SHOP_LINE, of_another);
         self.measures_at_tool_position(own, current);
         if !is_of_cl {
             if own.needs_standstill {
@@ -137,7 +139,11 @@ impl Comparison<'_> {
         }
         let before = &self.setters.at_block;
         if before.spindle_is_on() || before.coolant_is_on() {
-            self.found(current, "the spindle or the coolant is on where blocks end the work of a tool");
+            self.found(
+                current,
+                check::SHOP_LINE,
+                "the spindle or the coolant is on where blocks end the work of a tool",
+            );
         }
         let tool = self.previous.tools.current;
         let is_record = |item: &ExpectedItem| {
@@ -154,6 +160,7 @@ impl Comparison<'_> {
         if tool.is_some() && self.progress.next().is_some_and(is_record) {
             self.found(
                 current,
+                check::SHOP_LINE,
                 "this line ends the work of its tool, and a record of the CL data with that tool comes after it",
             );
         }
@@ -161,6 +168,7 @@ impl Comparison<'_> {
         if ends && self.shop_lines.has_been_checked(tool) {
             self.found(
                 current,
+                check::SHOP_LINE,
                 "this line ends the work of its tool, and the tool has been checked for breakage before it",
             );
         }
@@ -174,7 +182,11 @@ impl Comparison<'_> {
         };
         let ends = own.places.iter().all(|place| *place == OwnPlace::OperationEnd);
         if ends && !is_of_cl && !self.duties.owes(Duty::CompleteState) {
-            self.found(current, "this line ends an operation, and comes after the complete state of the next one");
+            self.found(
+                current,
+                check::SHOP_LINE,
+                "this line ends an operation, and comes after the complete state of the next one",
+            );
         }
         if is_of_cl || !own.places.iter().all(of_start) {
             return;
@@ -184,14 +196,18 @@ impl Comparison<'_> {
         // It runs for a dwell of the CL data, and is programmed again.
         let waits = self.functions.waits_with().is_some();
         if runs && !waits && own.places.iter().all(starts_tool) {
-            self.found(current, "this line comes after the spindle of its operation has started");
+            self.found(current, check::SHOP_LINE, "this line comes after the spindle of its operation has started");
         }
         let of_operation = own.places.iter().all(|place| *place == OwnPlace::OperationStart);
         if of_operation && self.shop_lines.is_tool_start_due(current.block.state.tool) {
-            self.found(current, "this line comes before those that start the work of its tool");
+            self.found(current, check::SHOP_LINE, "this line comes before those that start the work of its tool");
         }
         if self.functions.is_guarded() {
-            self.found(current, "this line comes after the guard of the tool length of its operation");
+            self.found(
+                current,
+                check::SHOP_LINE,
+                "this line comes after the guard of the tool length of its operation",
+            );
         }
         let owes = |what| self.duties.owes(what);
         // A line before it may have lost the retract.
@@ -206,6 +222,7 @@ impl Comparison<'_> {
         if !begun || other {
             self.found(
                 current,
+                check::SHOP_LINE,
                 "this line comes before the complete state, the tool change or the retract of its operation",
             );
         }
@@ -217,7 +234,7 @@ impl Comparison<'_> {
         if block.restart {
             // Tip control ends with the safety line, if it is still on, in the part.
             if phase.is_at_part() && self.rules.meaning() == LinearMeaning::TipCoordinates {
-                self.found(current, "the safety line comes before the machine has retracted");
+                self.found(current, check::SHOP_LINE, "the safety line comes before the machine has retracted");
             }
             // A tool that is called before a stop is changed before it; and the program begins with a restart point.
             let tool = self.previous.tools.current;
@@ -236,14 +253,18 @@ impl Comparison<'_> {
         if let Some(guard) = block.guards.length {
             let required = self.progress.next().map(|item| &*item.required);
             let fault = self.functions.guard(guard, block.state.length, &self.rules, required);
-            self.found_any(current, fault);
+            self.found_any(current, check::GUARD, fault);
             if matches!(phase, Phase::Retracted(retracted) if retracted.step >= 2) {
-                self.found(current, "the length guard comes after linear axes have moved in the approach");
+                self.found(
+                    current,
+                    check::GUARD,
+                    "the length guard comes after linear axes have moved in the approach",
+                );
             }
         }
         if let Some(largest_mm) = block.guards.radius_mm {
             let fault = self.functions.radius_guard(largest_mm, block.state.length);
-            self.found_any(current, fault);
+            self.found_any(current, check::GUARD, fault);
         }
         if let Some(part) = block.blank {
             self.functions.blank(part);
@@ -256,7 +277,7 @@ impl Comparison<'_> {
                 self.duties.happens(DutyEvent::PlaneGuard);
             }
             let fault = plane_guard::fault(guard, phase, &self.rules, &self.previous);
-            self.found_any(current, fault);
+            self.found_any(current, check::GUARD, fault);
         }
     }
 
@@ -281,18 +302,23 @@ impl Comparison<'_> {
         let offset = |state: &State| state.work_offset.or(state.cancelled_offset);
         let offsets = offset(&self.setters.at_block).zip(offset(&block.state));
         if block.own.is_none() && offsets.is_some_and(|(before, now)| before != now) {
-            self.found(current, "the work offset changes before the machine has retracted");
+            self.found(current, check::SEQUENCE, "the work offset changes before the machine has retracted");
         }
         let facts = *self.rules.facts();
         let changed = matches!(length, Some(Length::Register(_))) && length != block.state.length;
         if facts.length_moves && changed && !block.action.leaves_words() {
             self.found(
                 current,
+                check::SEQUENCE,
                 "length compensation is switched off before the machine has retracted: the tool may move by its length",
             );
         }
         if was_framed && !framed && !facts.plane_off_before_retract {
-            self.found(current, "the frame of the plane is switched off before the machine has retracted");
+            self.found(
+                current,
+                check::SEQUENCE,
+                "the frame of the plane is switched off before the machine has retracted",
+            );
         }
     }
 }

@@ -10,6 +10,7 @@ use super::super::rules::{ModalContext, OffsetsInForce};
 use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::{Cutting, Phase, Retracted};
 use super::{Comparison, Current, PreviousTools, machine_move, parking, retract};
+use crate::diag::code::check;
 use crate::program::Clearance;
 
 impl Comparison<'_> {
@@ -33,7 +34,7 @@ impl Comparison<'_> {
             if homes && !elsewhere && !self.is_station_due(block) {
                 self.duties.happens(DutyEvent::LinearHome);
             } else if !homes && !elsewhere {
-                self.found(current, &text);
+                self.found(current, check::SEQUENCE, &text);
                 if block.action != Action::Machine {
                     return Ok(Some(self.forget(phase)));
                 }
@@ -71,6 +72,7 @@ impl Comparison<'_> {
         if turned && machine_move::is_not_home(&self.rules, retracted.homed) {
             self.found(
                 current,
+                check::SEQUENCE,
                 "the rotary axes rotate before the linear axes are at their home positions (`home_on_indexing`)",
             );
         }
@@ -139,7 +141,7 @@ impl Comparison<'_> {
         self.pass_needless(phase)?;
         let RetractRule::OwnBlocks(count) = self.rules.policy().links.retract else { return Ok(None) };
         if index != self.own_retract {
-            self.found(current, "the blocks of `retract.method` are incomplete, or in another order");
+            self.found(current, check::SEQUENCE, "the blocks of `retract.method` are incomplete, or in another order");
         }
         self.own_retract = index + 1;
         if self.own_retract < count {
@@ -154,19 +156,19 @@ impl Comparison<'_> {
         let block = current.block;
         let (index, position) = (self.rules.words().retract(), self.rules.policy().links.retract_mm);
         if let Some(text) = self.travel.machine_coordinate(index, position) {
-            self.tally.outside_limits(self.progress.location(), current.shown, &text);
+            self.tally.outside_limits(check::LIMITS, self.progress.location(), current.shown, &text);
         }
         self.is_complete(phase, current);
         let at_part = phase.is_at_part();
         if at_part {
             let fault = machine_move::leads_down(&self.rules, &self.previous, block);
-            self.found_any(current, fault);
+            self.found_any(current, check::SEQUENCE, fault);
             self.missing_dwells(current, false);
         }
         if !self.duties.owes(Duty::CompleteState) {
             self.come_to(DutyPlace::RetractOfStart, Some(phase), current);
             let missing = self.shop_lines.retract_of_start();
-            self.found_all(current, missing);
+            self.found_all(current, check::SHOP_LINE, missing);
         }
         let mut retracted = self.retracted(phase, current);
         let rewinds = retracted.rewind.is_some();
@@ -175,7 +177,7 @@ impl Comparison<'_> {
             self.functions.interrupt_cuts();
         } else if at_part {
             let fault = self.functions.end_of_cuts(&self.rules);
-            self.found_any(current, fault);
+            self.found_any(current, check::CLAMP, fault);
         }
         let links = &self.rules.policy().links;
         // After a stop, where the position is unknown, the operator has switched the coolant; and the stop may have
@@ -193,7 +195,7 @@ impl Comparison<'_> {
         let fault = self.rules.fault_at_retract(block, tilts, spindle, context);
         self.found_state(current, fault);
         if at_part && self.stops_in_cut(block) {
-            self.found(current, "the spindle is off before this machine retract, and was on in the cut");
+            self.found(current, check::STATE, "the spindle is off before this machine retract, and was on in the cut");
         }
         if !self.duties.owes(Duty::CompleteState) {
             let frames = self.rules.frames_not_ended(&block.state);
@@ -248,7 +250,7 @@ impl Comparison<'_> {
             parking::missing(&self.rules, places, self.parked, &current.block.values).collect()
         };
         for letter in missing {
-            self.found(current, &format!("{letter} is not at its parking position"));
+            self.found(current, check::SEQUENCE, &format!("{letter} is not at its parking position"));
         }
     }
 
@@ -280,7 +282,11 @@ impl Comparison<'_> {
         // Where the axis hardly leads to a plane, the rounding of a point is a long way: the CL data has reached it.
         let on_path = on_path.filter(|pose| here.is_some_and(|here| self.rules.is_at(&here, pose)));
         if !here.into_iter().chain(on_path).any(out) {
-            self.found(current, "the retract along the tool axis before this block is missing or too short");
+            self.found(
+                current,
+                check::SEQUENCE,
+                "the retract along the tool axis before this block is missing or too short",
+            );
         }
     }
 

@@ -2,6 +2,8 @@
 
 use std::io;
 
+use crate::diag::code::check;
+
 use super::super::expect::legible;
 use super::super::read::{Action, is_filled};
 use super::phase::Phase;
@@ -39,14 +41,18 @@ impl Comparison<'_> {
                 self.pass_needless(phase)?;
                 !self.progress.displays(&text) && !self.is_of_shop(line, current)
             } {
-                self.found(current, "this text is not the next one of PPRINT, or of an operation, in the CL data");
+                self.found(
+                    current,
+                    check::TEXT,
+                    "this text is not the next one of PPRINT, or of an operation, in the CL data",
+                );
             }
         }
         let ended = current.block.action == Action::End;
         while let Some(message) = self.progress.overdue_message(ended) {
             let text = String::from_utf8_lossy(&message.text);
             let text = format!("the text \"{text}\" of the CL data is not displayed before this block");
-            self.tally.found(message.at, current.shown, &text);
+            self.tally.found(check::TEXT, message.at, current.shown, &text);
         }
         Ok(())
     }

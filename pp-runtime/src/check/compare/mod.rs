@@ -56,6 +56,8 @@ use super::stream::{ExecutedBlock, Observer};
 use super::travel::{Findings, Travel};
 use crate::check::tolerances::BOTH;
 use crate::cl::ClEvents;
+use crate::diag::Code;
+use crate::diag::code::check;
 use crate::kinematics::AnyMachine;
 use crate::program::{Location, Rotation, Units};
 use crate::shortcut::Shortcut;
@@ -380,7 +382,12 @@ impl Reading<'_> {
                 true => "the program breaks off before the end of the CL data",
                 false => "the program has no end code",
             };
-            comparison.tally.found(comparison.progress.location(), ShownBlock { line: lines, text: b"" }, text);
+            comparison.tally.found(
+                check::MISSING,
+                comparison.progress.location(),
+                ShownBlock { line: lines, text: b"" },
+                text,
+            );
         }
     }
 
@@ -450,7 +457,7 @@ impl Reading<'_> {
             return Ok(());
         }
         for fault in &block.faults {
-            comparison.found(&current, &fault.text);
+            comparison.found(&current, check::WORD, &fault.text);
         }
         if is_line {
             comparison.messages(phase, &current)?;
@@ -460,7 +467,7 @@ impl Reading<'_> {
         }
         let task = phase.task(&block.action);
         if task == Task::AfterEnd {
-            comparison.found(&current, "block after the end code of the program");
+            comparison.found(&current, check::ORDER, "block after the end code of the program");
             return Ok(());
         }
         comparison.restart_point(phase, &current);
@@ -507,7 +514,7 @@ impl Comparison<'_> {
         if self.rules.clamps() != 0 {
             let moved = self.rules.moved(&self.previous.words, self.previous.known, block);
             let fault = self.functions.clamps(block, moved, &self.rules, at_part);
-            self.found_any(current, fault);
+            self.found_any(current, check::CLAMP, fault);
         }
         let linear = block.written & self.rules.words().linear_bits() != 0;
         if !block.action.leaves_words() && (linear || block.state.tip_control != TipControl::Off) {
@@ -522,7 +529,11 @@ impl Comparison<'_> {
             (Task::Cut, Phase::Cutting(cutting)) => self.cut(cutting, current)?,
             (Task::Astray, phase) => self.astray(phase, current)?,
             (Task::OrientElsewhere, _) => {
-                self.found(current, "the control positions the rotary axes to a tilted plane where none is expected");
+                self.found(
+                    current,
+                    check::ORDER,
+                    "the control positions the rotary axes to a tilted plane where none is expected",
+                );
                 None
             }
             (Task::Orient, phase) => {
@@ -539,7 +550,7 @@ impl Comparison<'_> {
             self.functions.arrive(&block.state, &self.rules);
         }
         let entered = keep_out.and_then(|keep_out| keep_out.fault(&self.rules, &self.previous, block));
-        self.found_any(current, entered);
+        self.found_any(current, check::SEQUENCE, entered);
         self.follow_arcs(block);
         if block.action.leaves_words() {
             self.travel.machine_block(&self.rules, block);
@@ -606,30 +617,32 @@ impl Comparison<'_> {
     }
 
     /// Adds a finding about the block at hand.
-    fn found(&mut self, current: &Current<'_>, text: &str) {
-        self.tally.found(self.progress.location(), current.shown, text);
+    fn found(&mut self, current: &Current<'_>, code: Code, text: &str) {
+        self.tally.found(code, self.progress.location(), current.shown, text);
     }
 
     /// Adds a finding, if there is one.
-    fn found_any(&mut self, current: &Current<'_>, text: Option<String>) {
+    fn found_any(&mut self, current: &Current<'_>, code: Code, text: Option<String>) {
         if let Some(text) = text {
-            self.found(current, &text);
+            self.found(current, code, &text);
         }
     }
 
     /// Adds findings.
-    fn found_all(&mut self, current: &Current<'_>, texts: impl IntoIterator<Item = String>) {
-        texts.into_iter().for_each(|text| self.found(current, &text));
+    fn found_all(&mut self, current: &Current<'_>, code: Code, texts: impl IntoIterator<Item = String>) {
+        texts.into_iter().for_each(|text| self.found(current, code, &text));
     }
 
     /// Adds a finding about its modal state.
     fn found_state(&mut self, current: &Current<'_>, fault: Option<StateFault>) {
         match fault {
-            Some(StateFault { text, called: Some(at), .. }) => self.tally.found_once(at, current.shown, &text),
-            Some(StateFault { text, set, .. }) => {
+            Some(StateFault { code, text, called: Some(at), .. }) => {
+                self.tally.found_once(code, at, current.shown, &text)
+            }
+            Some(StateFault { code, text, set, .. }) => {
                 let line = set.and_then(|item| self.setters.line_of(item));
                 let shown = line.map_or(current.shown, |(line, text)| ShownBlock { line: *line, text });
-                self.tally.found(self.progress.location(), shown, &text);
+                self.tally.found(code, self.progress.location(), shown, &text);
             }
             None => {}
         }
@@ -668,10 +681,11 @@ impl Comparison<'_> {
                 let text = format!(
                     "length register {register} is called before the change to T{tool}: the call may move the tool"
                 );
-                self.found(current, &text);
+                self.found(current, check::TOOL, &text);
             } else if let Some(expected) = expected {
                 self.found(
                     current,
+                    check::TOOL,
                     &format!("length register {register} is called, expected {expected}: the call may move the tool"),
                 );
             }
@@ -711,7 +725,7 @@ impl Comparison<'_> {
         let (rules, chords) = (&self.rules, self.previous.chords);
         let needless = |progress: &ClProgress<'_>, index: usize| progress.is_needless(index, rules, here, chords);
         if let Some((at, text)) = self.progress.skip(count, needless) {
-            self.tally.found(at, current.shown, &text);
+            self.tally.found(check::MISSING, at, current.shown, &text);
         }
     }
 

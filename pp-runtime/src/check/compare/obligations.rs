@@ -8,6 +8,8 @@ mod rows;
 
 use std::rc::Rc;
 
+use crate::diag::code::check;
+
 use super::super::policy::CheckPolicy;
 use super::super::read::{LineForm, stated};
 use super::super::rules::fault_at_end;
@@ -97,7 +99,7 @@ impl Comparison<'_> {
     pub(super) fn come_to(&mut self, place: DutyPlace, phase: Option<&Phase>, current: &Current<'_>) {
         for row in NEEDED.iter().filter(|row| row.at == place) {
             if (row.needed)(&self.rules) && self.is_missing(row.what, phase, current) {
-                self.found(current, row.text);
+                self.found(current, check::MISSING, row.text);
             }
         }
     }
@@ -145,13 +147,13 @@ impl Comparison<'_> {
             Duty::ParkingAtEnd => self.parking_positions(current),
             Duty::PlaneGuard if self.duties.take(what) => {
                 let missing = plane_guard::missing(&self.rules, &self.previous);
-                self.found_any(current, missing);
+                self.found_any(current, check::GUARD, missing);
             }
             Duty::PlaneGuard => {}
             // The control executes its IF whatever the block skip switch is set to, so it has come before.
             Duty::OffsetGuard if !self.rules.facts().offset_guard => {}
             Duty::OffsetGuard if current.block.skippable && self.rules.facts().form == LineForm::Keywords => {}
-            Duty::OffsetGuard if self.duties.take(what) => self.found(current, OFFSET_GUARD),
+            Duty::OffsetGuard if self.duties.take(what) => self.found(current, check::GUARD, OFFSET_GUARD),
             Duty::OffsetGuard => {}
             Duty::StateAtEnd => self.found_state(current, fault_at_end(current.block)),
             Duty::AtChangePosition if !at_part && !self.duties.owes(Duty::Retract) => {
@@ -162,7 +164,7 @@ impl Comparison<'_> {
             Duty::CutsEnded => self.cuts_have_ended(current),
             Duty::ClampsOfCuts if at_part => {
                 let fault = self.functions.end_of_cuts(&self.rules);
-                self.found_any(current, fault);
+                self.found_any(current, check::CLAMP, fault);
             }
             Duty::ClampsOfCuts => {}
             Duty::ClampsAsBefore | Duty::ClampsPositioned | Duty::ClampsParked => {
@@ -176,7 +178,7 @@ impl Comparison<'_> {
                     _ => ClampsDue::Parked,
                 };
                 let fault = self.functions.clamps_left(&self.setters.at_block, &self.rules, due);
-                self.found_any(current, fault);
+                self.found_any(current, check::CLAMP, fault);
             }
             Duty::OperationEnded => self.ends_operation(current),
             Duty::ToolEnded => {
@@ -184,7 +186,7 @@ impl Comparison<'_> {
                     Some(_) => "before the blocks that may be skipped begin or end",
                     None => "before the axes are parked",
                 });
-                self.found_all(current, missing);
+                self.found_all(current, check::SHOP_LINE, missing);
             }
             Duty::ProgramEnded => {
                 // An operation without a motion has begun with its own.
@@ -193,7 +195,7 @@ impl Comparison<'_> {
                 let fault = self.rules.fault_in_modes(&current.block.state, offsets, register);
                 self.found_state(current, fault);
                 let missing = self.shop_lines.end();
-                self.found_all(current, missing);
+                self.found_all(current, check::SHOP_LINE, missing);
             }
             Duty::LengthGuard | Duty::ClampsStated | Duty::AxesStated | Duty::Blank => {
                 self.compare_first_blocks(what, current)
@@ -211,7 +213,7 @@ impl Comparison<'_> {
             Duty::AxesStated => self.functions.axes_unstated(&self.rules),
             _ => self.functions.blank_fault(&self.rules),
         };
-        self.found_any(current, fault);
+        self.found_any(current, check::GUARD, fault);
     }
 }
 

@@ -11,6 +11,7 @@ use super::obligations::{Duty, DutyEvent, DutyPlace};
 use super::phase::{Phase, Retracted};
 use super::{Comparison, Current, Previous};
 use crate::check::tolerances::ROUNDED_DWELL;
+use crate::diag::code::check;
 
 impl Comparison<'_> {
     /// INSERT, codes of the CL data and statements of the shop: a block that is copied.
@@ -39,10 +40,14 @@ impl Comparison<'_> {
         // The text of INSERT is not judged; a line of the configuration has an effect, of its codes or declared.
         let judged = if current.block.own.is_some() { current.block.faults.len() } else { current.block.frame_faults };
         for fault in &current.block.faults[..judged] {
-            self.found(current, &fault.text);
+            self.found(current, check::WORD, &fault.text);
         }
         if current.block.action == Action::End {
-            self.found(current, "the program ends at this block of the CL data: nothing after it is executed");
+            self.found(
+                current,
+                check::ORDER,
+                "the program ends at this block of the CL data: nothing after it is executed",
+            );
         }
         (0..index).for_each(|_| self.progress.pass());
         let place = if probe.is_some() { DutyPlace::Probe } else { DutyPlace::Copied };
@@ -54,7 +59,7 @@ impl Comparison<'_> {
         }
         let is_first = self.previous.tools.current.is_none() && self.progress.last().is_none();
         if is_first && self.duties.owes(Duty::CompleteState) && !self.rules.policy().shop.own_safety {
-            self.found(current, "this block comes before the first complete state of the program");
+            self.found(current, check::ORDER, "this block comes before the first complete state of the program");
         }
         true
     }
@@ -63,22 +68,26 @@ impl Comparison<'_> {
     fn probes(&mut self, phase: &Phase, first: bool, current: &Current<'_>) {
         let state = &current.block.state;
         if first && !matches!(phase, Phase::Cutting(_)) {
-            self.found(current, "the tool is not at the point at which the probe measures");
+            self.found(current, check::PROBE, "the tool is not at the point at which the probe measures");
         }
         if !first && phase.is_retracted() {
-            self.found(current, "the machine has retracted before this block with which a probe measures");
+            self.found(
+                current,
+                check::PROBE,
+                "the machine has retracted before this block with which a probe measures",
+            );
         }
         if first && state.spindle_is_on() {
-            self.found(current, "the spindle is on where a probe measures");
+            self.found(current, check::PROBE, "the spindle is on where a probe measures");
         } else if self.previous.process.started {
-            self.found(current, "the spindle has been switched on where a probe measures");
+            self.found(current, check::PROBE, "the spindle has been switched on where a probe measures");
         }
         if first {
             let at = self.as_before(current.block);
             let fault = self.rules.fault_at_measuring(&at, self.progress.last(), None);
             self.found_state(current, fault);
             let loose = self.functions.loose(&at.state, &self.rules);
-            self.found_any(current, loose);
+            self.found_any(current, check::CLAMP, loose);
         }
     }
 
@@ -112,13 +121,13 @@ impl Comparison<'_> {
             _ if of_shop && self.progress.next().is_none() => {}
             _ if required != tool => {
                 let (tool, required) = (tool_name(tool), tool_name(required));
-                self.found(current, &format!("change to {tool}, but the CL data requires {required}"));
+                self.found(current, check::TOOL, &format!("change to {tool}, but the CL data requires {required}"));
             }
             _ => {}
         }
         let is_stated = of_shop || current.block.stated & stated::TOOL != 0;
         if !is_stated && !self.duties.owes(Duty::CompleteState) {
-            self.found(current, "the tool of this change is not called after the restart point");
+            self.found(current, check::TOOL, "the tool of this change is not called after the restart point");
         }
         self.come_to(DutyPlace::ToolChange, Some(phase), current);
         self.shop_lines.next_tool();
@@ -133,7 +142,11 @@ impl Comparison<'_> {
         }
         let prepared = before.selected.filter(|_| self.previous.tools.prepares && before.selected != before.tool);
         if let Some((prepared, tool)) = prepared.zip(now.selected) {
-            self.found(current, &format!("T{prepared} was selected for the next tool change, and T{tool} comes"));
+            self.found(
+                current,
+                check::TOOL,
+                &format!("T{prepared} was selected for the next tool change, and T{tool} comes"),
+            );
         }
         self.previous.tools.prepares = current.block.own.is_none();
     }
@@ -148,7 +161,11 @@ impl Comparison<'_> {
             selected.filter(|_| self.previous.tools.prepares && selected != tool).zip(first)
             && selected != first
         {
-            self.found(current, &format!("T{selected} is selected for the next tool change, expected T{first}"));
+            self.found(
+                current,
+                check::TOOL,
+                &format!("T{selected} is selected for the next tool change, expected T{first}"),
+            );
         }
     }
 
@@ -173,7 +190,7 @@ impl Comparison<'_> {
             let (tool, required) = (tool_name(current.block.state.tool), tool_name(item.required.tool));
             let text =
                 format!("this block comes with {tool} in the spindle, its record in the CL data with {required}");
-            self.found(current, &text);
+            self.found(current, check::TOOL, &text);
         }
     }
 
@@ -217,7 +234,7 @@ impl Comparison<'_> {
             if *between && !all {
                 return;
             }
-            self.found(current, &format!("the dwell of {seconds} s before this block is missing"));
+            self.found(current, check::STOP, &format!("the dwell of {seconds} s before this block is missing"));
             self.progress.take();
         }
     }
@@ -257,7 +274,11 @@ impl Comparison<'_> {
             }
             let dry = self.rules.policy().links.dry_lift_mm.is_some();
             if !dry && wrong {
-                self.found(current, "dwell with the spindle off, or at another speed or sense than in the CL data");
+                self.found(
+                    current,
+                    check::STOP,
+                    "dwell with the spindle off, or at another speed or sense than in the CL data",
+                );
             }
             return Ok(());
         }
@@ -266,7 +287,11 @@ impl Comparison<'_> {
         }
         // The writer may not know that the spindle runs already.
         if !(of_spindle && self.previous.process.started) {
-            self.found(current, &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"));
+            self.found(
+                current,
+                check::STOP,
+                &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"),
+            );
         }
         Ok(())
     }
@@ -299,14 +324,18 @@ impl Comparison<'_> {
             Some(item) if suits(item) => {
                 let off = matches!(self.progress.requested_spindle(), Some(None));
                 if off && current.block.state.spindle_is_on() {
-                    self.found(current, "the spindle is on at this stop, and the CL data has switched it off");
+                    self.found(
+                        current,
+                        check::STOP,
+                        "the spindle is on at this stop, and the CL data has switched it off",
+                    );
                 }
                 self.compare_tool(current);
                 self.progress.take();
             }
             // The shop stops where the program and its operations start and end, and at its tool changes.
             _ if of_shop => return Ok(None),
-            _ => self.found(current, "stop without STOP or OPSTOP in the CL data"),
+            _ => self.found(current, check::STOP, "stop without STOP or OPSTOP in the CL data"),
         }
         self.come_to(DutyPlace::Stop, Some(phase), current);
         let retracts = self.rules.policy().links.retracts_for_stop;
@@ -355,10 +384,16 @@ impl Comparison<'_> {
             Some(ExpectedAction::BlockSkip { on: expected }) if *expected == on => self.progress.take(),
             // Without OPSKIP/OFF they end with the CL data.
             None if !on => {}
-            _ if on => {
-                self.found(current, "the operator may skip this block (`/`), without OPSKIP/ON in the CL data here")
-            }
-            _ => self.found(current, "this block is always executed (no `/`), without OPSKIP/OFF in the CL data here"),
+            _ if on => self.found(
+                current,
+                check::BLOCK_SKIP,
+                "the operator may skip this block (`/`), without OPSKIP/ON in the CL data here",
+            ),
+            _ => self.found(
+                current,
+                check::BLOCK_SKIP,
+                "this block is always executed (no `/`), without OPSKIP/OFF in the CL data here",
+            ),
         }
         self.come_to(DutyPlace::BlockSkip, Some(phase), current);
         self.shop_lines.next_tool();
@@ -390,14 +425,18 @@ impl Comparison<'_> {
             self.progress.take();
         }
         if self.progress.next().is_some() {
-            self.found(current, "end code before the end of the CL data");
+            self.found(current, check::MISSING, "end code before the end of the CL data");
         } else if let Some(last) =
             self.progress.last_tool().filter(|_| self.progress.last_tool() != self.previous.tools.current)
         {
-            self.found(current, &format!("the CL data ends with a call of T{last}: the tool change is missing"));
+            self.found(
+                current,
+                check::TOOL,
+                &format!("the CL data ends with a call of T{last}: the tool change is missing"),
+            );
         }
         if self.previous.skippable {
-            self.found(current, "the operator may skip the end code (`/`)");
+            self.found(current, check::BLOCK_SKIP, "the operator may skip the end code (`/`)");
         }
         self.come_to(DutyPlace::End, Some(phase), current);
         self.selected_at_end(current);
@@ -411,13 +450,13 @@ impl Comparison<'_> {
             return;
         }
         for missing in self.shop_lines.end_operation() {
-            self.found(current, &missing);
+            self.found(current, check::SHOP_LINE, &missing);
         }
     }
 
     /// The cuts before the last retract do not go on: it was no rewind.
     pub(super) fn cuts_have_ended(&mut self, current: &Current<'_>) {
         let fault = self.functions.end_of_interrupted(&self.rules);
-        self.found_any(current, fault);
+        self.found_any(current, check::CLAMP, fault);
     }
 }

@@ -4,6 +4,7 @@ use super::super::read::LineForm;
 use super::super::report::ShownBlock;
 use super::phase::Phase;
 use super::{Comparison, Current};
+use crate::diag::code::check;
 
 /// What is not known of a restart point where it comes.
 #[derive(Debug, Clone, Default)]
@@ -48,7 +49,7 @@ impl Comparison<'_> {
             && let Some((line, text)) = self.restarts.numbered.take()
         {
             let text_of = "the block with this number is no restart point: the code of the unit, which begins its complete state, is missing";
-            self.tally.found(self.progress.location(), ShownBlock { line, text: &text }, text_of);
+            self.tally.found(check::ORDER, self.progress.location(), ShownBlock { line, text: &text }, text_of);
         }
         if current.same_modes || self.restarts.not_ended.is_empty() {
             return;
@@ -60,6 +61,6 @@ impl Comparison<'_> {
             return;
         };
         let (_, line, text) = self.restarts.not_ended.remove(index);
-        self.tally.found(self.progress.location(), ShownBlock { line, text: &text }, &fault);
+        self.tally.found(check::ORDER, self.progress.location(), ShownBlock { line, text: &text }, &fault);
     }
 }

@@ -7,6 +7,7 @@ use super::super::rules::ModalContext;
 use super::obligations::{Duty, DutyEvent, DutyPlace, Station};
 use super::phase::{Phase, Retracted};
 use super::{Comparison, Current, Previous, parking};
+use crate::diag::code::check;
 
 impl Comparison<'_> {
     /// Notes the linear axes that a block moves to their positions.
@@ -91,6 +92,7 @@ impl Comparison<'_> {
         if unstated && !self.duties.owes(Duty::CompleteState) {
             self.found(
                 current,
+                check::SEQUENCE,
                 "the axes go to a position before the work offset is programmed after the restart point",
             );
         }
@@ -111,7 +113,7 @@ impl Comparison<'_> {
             let fault = self.rules.fault_at_measuring(&at, None, self.required_here());
             self.found_state(current, fault);
             if own.places.contains(&OwnPlace::CheckTool) && runs {
-                self.found(current, "the spindle is on where a tool is checked for breakage");
+                self.found(current, check::PROBE, "the spindle is on where a tool is checked for breakage");
             }
         }
     }
@@ -139,7 +141,7 @@ impl Comparison<'_> {
         let axes = self.rules.axes().iter().enumerate();
         let elsewhere = axes.filter(|&(index, axis)| is_elsewhere(index, axis.letter)).map(|(_, axis)| axis.letter);
         for letter in elsewhere.collect::<Vec<_>>() {
-            self.found(current, &format!("{letter} is not at its position of `{}`", station.key()));
+            self.found(current, check::SEQUENCE, &format!("{letter} is not at its position of `{}`", station.key()));
         }
     }
 }

@@ -10,6 +10,7 @@ use super::hole::{ExpectedHole, HoleStep, unfolded};
 use super::operations::{self, RulesInForce};
 use super::{ClMotion, ExpectedAction, ExpectedItem, ExpectedMessage, Kept, Required, RequiredSmoothing, SpindleState};
 use crate::check::tolerances::{IN_CUTTER_PLANE, SAME_AXIS, SAME_POSE};
+use crate::diag::code::config;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
 use crate::program::{
@@ -912,6 +913,7 @@ impl<'a> ClState<'a> {
 /// The fault that two rules of the same kind differ.
 fn contradiction(location: Location, property: &str) -> Diagnostic {
     Diagnostic {
+        code: config::OPERATION,
         severity: Severity::Error,
         location,
         length: 1,

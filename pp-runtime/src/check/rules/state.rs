@@ -10,12 +10,15 @@ use super::super::read::{
 };
 use super::{Rules, apart};
 use crate::check::tolerances::{ROUNDED_SPEED, ROUNDED_WORD};
+use crate::diag::Code;
+use crate::diag::code::check;
 use crate::program::Location;
 use crate::set_up::{LengthMode, SetUp};
 
 /// A wrong state.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct StateFault {
+    pub(crate) code: Code,
     pub(crate) text: String,
     /// The record that calls the tool, if the tool is wrong.
     pub(crate) called: Option<Location>,
@@ -335,7 +338,7 @@ impl Rules<'_> {
             return found;
         }
         let text = format!("{} is in the spindle, expected {}", tool_name(state.tool), tool_name(required.tool));
-        Some(StateFault { text, called: required.called, set: None })
+        Some(StateFault { code: check::TOOL, text, called: required.called, set: None })
     }
 
     /// State of every block that moves.
@@ -577,7 +580,7 @@ impl Rules<'_> {
 
 impl From<String> for StateFault {
     fn from(text: String) -> Self {
-        Self { text, called: None, set: None }
+        Self { code: check::STATE, text, called: None, set: None }
     }
 }
 
@@ -607,8 +610,9 @@ fn still_on(block: &Block) -> Option<StateFault> {
 /// What is wrong with a state in which a block moves, whether its functions act before its motion or after it.
 fn in_each_order(block: &Block, fault: impl Fn(&State) -> Option<StateFault>) -> Option<StateFault> {
     fault(&block.state).or_else(|| {
-        let StateFault { text, .. } = fault(block.early.as_deref()?)?;
-        Some(format!("{text}, where the machine executes the functions of this block after its motion").into())
+        let StateFault { code, text, .. } = fault(block.early.as_deref()?)?;
+        let text = format!("{text}, where the machine executes the functions of this block after its motion");
+        Some(StateFault { code, text, called: None, set: None })
     })
 }
 

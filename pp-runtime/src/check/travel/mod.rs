@@ -21,6 +21,7 @@ use super::read::{Block, MAX_AXES, TipControl};
 use super::report::{ShownBlock, Tally};
 use super::rules::{MachineWords, Rules, sweep};
 use crate::check::tolerances::AXIS_VALUE_NOISE;
+use crate::diag::code::check;
 use crate::kinematics::{Axis, AxisKind, Limits};
 use crate::program::Location;
 
@@ -56,7 +57,7 @@ pub(super) struct Findings<'t> {
 
 impl Findings<'_> {
     fn outside(&mut self, text: &str) {
-        self.tally.outside_limits(self.at, self.shown, text);
+        self.tally.outside_limits(check::LIMITS, self.at, self.shown, text);
     }
 }
 

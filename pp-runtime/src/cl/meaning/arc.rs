@@ -13,6 +13,7 @@ use super::transform::Transforms;
 use crate::cl::record::{CircleForm, CircleRecord, TangentArc};
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::{points_up, within_a_kilometre};
+use crate::diag::code::cl;
 use crate::kinematics::{Pose, math};
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Arc, Feed, Rotation, Units};
@@ -93,7 +94,7 @@ impl WaitingCircle {
         let length = axis.norm();
         let has_axis = circle.form != CircleForm::Four;
         if has_axis && (length - 1.0).abs() > 1e-3 {
-            return Err(ClFault::new(
+            return Err(cl::ARC.cl_fault(
                 "circle",
                 circle.at,
                 format!("the axis of this circle has length {length:.6}, not 1"),
@@ -169,7 +170,7 @@ fn stated_sense(circle: &CircleRecord, option: Option<Sense>) -> Result<Option<S
         Some(Rotation::CounterClockwise) => Sense::CounterClockwise,
     };
     if option.is_some_and(|option| option != sense) {
-        return Err(ClFault::new(
+        return Err(cl::ARC.cl_fault(
             "circle",
             circle.at,
             "this CIRCLE states its sense by a word, and `circle_sense` is the other one",
@@ -178,7 +179,7 @@ fn stated_sense(circle: &CircleRecord, option: Option<Sense>) -> Result<Option<S
     }
     // About an axis that points down, it may be meant as seen from the tool.
     if !points_up(circle.axis) {
-        return Err(ClFault::new(
+        return Err(cl::ARC.cl_fault(
             "circle",
             circle.at,
             "a word states the sense of this CIRCLE, and its axis points against X, Y or Z: whether it is seen along or against \
@@ -237,12 +238,12 @@ pub(crate) fn tangent_circle(
 
 /// Fault of a TLON.
 pub(crate) fn tlon_fault(at: Span, text: String) -> ClFault {
-    ClFault::new("TLON", at, text, "check this arc in the CAM system, or have it output lines instead of arcs")
+    cl::ARC.cl_fault("TLON", at, text, "check this arc in the CAM system, or have it output lines instead of arcs")
 }
 
 #[cold]
 fn tangent_without_arc() -> ClFault {
-    ClFault::new(
+    cl::ARC.cl_fault(
         "TLON",
         Span::WHOLE,
         "expected TLON after AUTOPS or INDIRV, found another motion",
@@ -252,7 +253,7 @@ fn tangent_without_arc() -> ClFault {
 
 #[cold]
 fn slope_without_arc() -> ClFault {
-    ClFault::new(
+    cl::ARC.cl_fault(
         "ARCSLP",
         Span::WHOLE,
         "expected MOVARC after ARCSLP, found another motion",
@@ -290,7 +291,7 @@ impl OpenArc {
     #[cold]
     fn refuse_open_circle(&mut self) -> Result<(), ClFault> {
         match self.circle.take() {
-            Some(circle) => Err(ClFault::new(
+            Some(circle) => Err(cl::ARC.cl_fault(
                 "circle",
                 Span::WHOLE,
                 format!("the circle of line {} has no end: this record comes before its GOTO", circle.line),
@@ -334,7 +335,7 @@ impl OpenArc {
     /// INDIRV, in the workpiece frame.
     pub(crate) fn set_direction(&mut self, direction: Vector3<f64>, at: Span) -> Result<(), ClFault> {
         if direction.norm() < 1e-9 {
-            return Err(ClFault::new(
+            return Err(cl::ARC.cl_fault(
                 "INDIRV",
                 at,
                 "INDIRV is 0, 0, 0 and has no direction",
@@ -358,7 +359,7 @@ impl OpenArc {
     /// End of the file: refuses a circle without an end.
     pub(crate) fn finish(&mut self) -> Result<(), ClFault> {
         match self.circle.take() {
-            Some(circle) => Err(ClFault::new(
+            Some(circle) => Err(cl::ARC.cl_fault(
                 "circle",
                 Span::WHOLE,
                 format!("the file ends before the GOTO that ends the arc of line {}", circle.line),
@@ -395,7 +396,7 @@ fn normal_and_angle(
     let fault = |text: String| {
         let text = format!("{text} (circle of line {})", circle.line);
         let help = "check the arc in the CAM system, or have it output lines instead of arcs";
-        Box::new(ClFault::new("circle", at, text, help))
+        Box::new(cl::ARC.cl_fault("circle", at, text, help))
     };
     let shown = |mm: f64| circle.units.deviation(mm);
     if start.axis != end.axis && (start.axis.into_inner() - end.axis.into_inner()).norm() > 1e-6 {
@@ -409,7 +410,7 @@ fn normal_and_angle(
                 format!("CIRCLE with 4 numbers does not state the sense of its arc (circle of line {})", circle.line);
             let help = "state it: `--circle-sense ccw` or `cw`, about the tool axis; a GOTO with points between the ends states \
                         it, too";
-            return Err(Box::new(ClFault::new("circle", at, text, help)));
+            return Err(Box::new(cl::ARC.cl_fault("circle", at, text, help)));
         }
     };
     let n = normal.into_inner();

@@ -10,6 +10,7 @@
 
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector;
+use crate::diag::code::cl;
 use crate::kinematics::math;
 use crate::nalgebra::{UnitVector3, Vector3};
 use crate::program::Location;
@@ -208,7 +209,7 @@ impl ModalAxis {
         if is(self.axis) || (self.doubt == AxisDoubt::MultaxOff && is(before)) {
             return Ok(());
         }
-        Err(ClFault::new(
+        Err(cl::TOOL_AXIS.cl_fault(
             "tool axis",
             at,
             format!("MULTAX/OFF of line {line} holds the tool axis, and this record changes it"),
@@ -225,7 +226,7 @@ fn no_unit_vector(given: [f64; 3], length: f64, at: Span) -> ClFault {
     } else {
         format!("the tool axis has length {length:.6}, not 1")
     };
-    ClFault::new("tool axis", at, text, "i, j, k must be a unit vector from the tip to the spindle")
+    cl::TOOL_AXIS.cl_fault("tool axis", at, text, "i, j, k must be a unit vector from the tip to the spindle")
 }
 
 /// Fault: a point has no tool axis, and the one in force is in doubt.
@@ -242,5 +243,5 @@ fn in_doubt(doubt: AxisDoubt, at: Span) -> ClFault {
              Z again, as in the output of Autodesk: `--dialect autodesk`",
         ),
     };
-    ClFault::new("tool axis", at, text, help)
+    cl::TOOL_AXIS.cl_fault("tool axis", at, text, help)
 }

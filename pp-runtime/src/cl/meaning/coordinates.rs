@@ -7,6 +7,7 @@ use super::transform::{RigidTransform, Transforms};
 use crate::cl::dialect::Dialect;
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::{length, within_a_kilometre};
+use crate::diag::code::cl;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::ClearancePlane;
 
@@ -137,7 +138,12 @@ impl Coordinates {
     ) -> Result<ClearancePlane, ClFault> {
         let length = length(normal);
         if length < 1e-9 {
-            return Err(ClFault::new("CLEARP", at, "the normal of this plane is 0, 0, 0", "program CLEARP/XYPLAN,z"));
+            return Err(cl::POSITION.cl_fault(
+                "CLEARP",
+                at,
+                "the normal of this plane is 0, 0, 0",
+                "program CLEARP/XYPLAN,z",
+            ));
         }
         let normal = normal.map(|value| value / length);
         let distance = distance * unit_mm / length;

@@ -5,6 +5,7 @@ use super::holes::{HoleDefinition, ReturnLevel};
 use super::permitted::Permitted;
 use crate::cl::record::{CycleCall, CycleState};
 use crate::cl::text::{ClFault, Span};
+use crate::diag::code::cl;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3};
 use crate::program::Units;
@@ -40,7 +41,7 @@ struct HolesMade {
 
 fn without_cycle(at: Span) -> ClFault {
     let text = "CYCLE/ON without a cycle before it in this operation";
-    ClFault::new("CYCLE", at, text, "write the whole record of the cycle here: CYCLE/DRILL,.. with its levels")
+    cl::HOLE.cl_fault("CYCLE", at, text, "write the whole record of the cycle here: CYCLE/DRILL,.. with its levels")
 }
 
 impl CycleInForce {
@@ -65,7 +66,7 @@ impl CycleInForce {
             return Ok(());
         }
         self.active = false;
-        Err(ClFault::new(
+        Err(cl::HOLE.cl_fault(
             "CYCLE",
             Span::WHOLE,
             "this record is not permitted between the points of a CYCLE",
@@ -123,7 +124,7 @@ impl CycleInForce {
 
     fn check_level_before(&self, definition: &HoleDefinition, at: Span) -> Result<(), ClFault> {
         if definition.return_level == ReturnLevel::Initial && self.before.is_none() {
-            return Err(ClFault::new(
+            return Err(cl::HOLE.cl_fault(
                 "CYCLE",
                 at,
                 "RTRCTO,AUTO returns to the level before the cycle, and the tool position is unknown",
@@ -179,7 +180,7 @@ impl CycleInForce {
         let before = self.before.unwrap_or(top.tip);
         let level = (before - top.tip).dot(&axis);
         if level < clearance_mm - ARC_TOLERANCE_MM {
-            return Err(ClFault::new(
+            return Err(cl::HOLE.cl_fault(
                 "CYCLE",
                 at,
                 format!(

@@ -4,6 +4,7 @@ use super::options::FeedLabel;
 use super::units::FileUnits;
 use crate::cl::record::{FeedRecord, FeedUnit};
 use crate::cl::text::ClFault;
+use crate::diag::code::cl;
 use crate::program::{Feed, Units};
 
 /// Smallest plausible feed; a smaller one is in another unit.
@@ -26,7 +27,7 @@ pub(crate) fn feed_of(record: &FeedRecord, units: &mut FileUnits, label: FeedLab
     let doubtful = in_millimetres && units.known() == Some(Units::Inches);
     let millimetre = match label {
         FeedLabel::Refuse if doubtful => {
-            return Err(ClFault::new(
+            return Err(cl::FEED.cl_fault(
                 "feed unit",
                 unit_at,
                 "feed labelled in mm in a file in inch: such labels are often wrong",
@@ -53,7 +54,7 @@ pub(crate) fn feed_of(record: &FeedRecord, units: &mut FileUnits, label: FeedLab
 /// Refuses a feed that is not plausible.
 fn check(feed: Feed, record: &FeedRecord, units: Units) -> Result<Feed, ClFault> {
     let value = record.value;
-    let fault = |text: String, help: &str| Err(ClFault::new("feed", record.at, text, help));
+    let fault = |text: String, help: &str| Err(cl::FEED.cl_fault("feed", record.at, text, help));
     match feed {
         _ if value <= 0.0 => fault(
             format!("the feed must be above 0, found {value}"),

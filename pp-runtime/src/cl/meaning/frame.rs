@@ -13,6 +13,7 @@ use crate::cl::dialect::Dialect;
 use crate::cl::record::FrameRecord;
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::{distance, dot};
+use crate::diag::code::cl;
 use crate::nalgebra::{UnitVector3, Vector3};
 use crate::program::Location;
 
@@ -39,7 +40,7 @@ pub struct StatedFrame {
 impl StatedFrame {
     pub(crate) fn new(record: &FrameRecord, unit_mm: f64, location: Location) -> Result<StatedFrame, ClFault> {
         if !record.is_rigid() {
-            return Err(ClFault::new(
+            return Err(cl::FRAME.cl_fault(
                 "frame",
                 record.at,
                 "the axes of this frame are not perpendicular, right-handed unit vectors",
@@ -226,7 +227,7 @@ impl WorkpieceFrames {
         let known = self.frames.iter().position(|known| known.is_same(&frame));
         if known.is_none() && self.frames.len() == MOST_FRAMES {
             let text = format!("the file states more than {MOST_FRAMES} different frames");
-            return Err(ClFault::new("second frame", at, text, "output one file for each set-up"));
+            return Err(cl::FRAME.cl_fault("second frame", at, text, "output one file for each set-up"));
         }
         let index = known.unwrap_or(self.frames.len());
         let listed =
@@ -294,7 +295,7 @@ impl SetUpFrame {
         if self.in_world {
             return Ok(());
         }
-        Err(ClFault::new(
+        Err(cl::FRAME.cl_fault(
             "CSYS",
             at,
             "CSYS without TRNTYP/WORLD,0,0,0 before it: the frame of the points is unknown",
@@ -334,7 +335,7 @@ fn compare_axis(axis: UnitVector3<f64>, given: [f64; 3], at: Span) -> Result<(),
     if distance([axis.x, axis.y, axis.z], given) <= SAME_DIRECTION {
         return Ok(());
     }
-    Err(ClFault::new(
+    Err(cl::TOOL_AXIS.cl_fault(
         "tool axis",
         at,
         "this tool axis contradicts the third column of CSYS",

@@ -10,6 +10,7 @@
 use super::options::Frames;
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::{cross, distance, length};
+use crate::diag::code::cl;
 use crate::program::Location;
 
 /// Z of a frame in itself.
@@ -356,7 +357,7 @@ const ONE_SYSTEM: &str = "choose one coordinate system for the output of all ope
 const STATE_AXES: &str = "output i, j, k with the points (multi-axis output, MULTAX/ON) in the CAM system";
 
 fn fault(at: Span, text: String, help: impl Into<String>) -> ClFault {
-    ClFault::new("second frame", at, text, help)
+    cl::FRAME.cl_fault("second frame", at, text, help)
 }
 
 /// A direction, for messages.

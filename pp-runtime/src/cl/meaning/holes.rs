@@ -15,6 +15,7 @@
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{ClCycleKind, CycleCall, FeedUnit, Return, ThreadPitch, word_of};
 use crate::cl::text::{ClFault, Span};
+use crate::diag::code::cl;
 use crate::kinematics::{Pose, math};
 use crate::nalgebra::Point3;
 use crate::program::{Drilling, Dwell, Feed, Gap, Gaps, Units};
@@ -173,7 +174,7 @@ pub(crate) struct CycleContext {
 }
 
 fn fault(at: Span, text: impl Into<String>, help: impl Into<String>) -> ClFault {
-    ClFault::new("CYCLE", at, text, help)
+    cl::HOLE.cl_fault("CYCLE", at, text, help)
 }
 
 /// Remedy where a cycle is not as the posts of Autodesk write it.
@@ -206,7 +207,7 @@ pub(crate) fn with_names(cycle: &CycleCall, args: Option<&[CycleArg]>, dialect: 
         };
         if stated {
             let (word, name) = (cycle.kind.word(), word_of(&CycleArg::NAMES, arg));
-            return Err(ClFault::new(
+            return Err(cl::HOLE.cl_fault(
                 "CYCLE",
                 cycle.at,
                 format!(
@@ -246,7 +247,7 @@ fn without_words(cycle: &CycleCall, dialect: Dialect) -> ClFault {
          `args = [{example}]`, or another order of {names}",
         names = CycleArg::NAMES.map(|(name, _)| name).join(", ")
     );
-    ClFault::new("CYCLE", cycle.at, text, help)
+    cl::HOLE.cl_fault("CYCLE", cycle.at, text, help)
 }
 
 /// Returns the hole that a CYCLE defines. Its numbers without a word have their names: see [`with_names`].
@@ -291,7 +292,7 @@ fn without_clearance(cycle: &CycleCall) -> ClFault {
         let word = cycle.kind.word();
         format!("write CLEAR,level in this record, or name the number that is the level in `[cl.cycle.{word}]`, `args`")
     };
-    ClFault::new("CYCLE", cycle.at, "this cycle has no clearance level", help)
+    cl::HOLE.cl_fault("CYCLE", cycle.at, "this cycle has no clearance level", help)
 }
 
 /// Plane of a cycle of *Common ISO 4343 APT*, whose points are the bottoms.

@@ -26,6 +26,7 @@ use crate::cl::record::{
     SubprogramRecord, Text,
 };
 use crate::cl::text::{ClFault, Span, decoded};
+use crate::diag::code::cl;
 use crate::program::{Event, Feed, Interruption, Location, NewStart, Spindle, TextKind};
 
 /// CUTCOM/ON and the side that it needs.
@@ -43,7 +44,7 @@ enum CutcomOn {
 
 #[cold]
 fn side_unstated() -> ClFault {
-    ClFault::new(
+    cl::CUTTER_COMPENSATION.cl_fault(
         "CUTCOM",
         Span::WHOLE,
         "a motion follows CUTCOM/ON, and no CUTCOM/LEFT or RIGHT has stated the side",
@@ -256,7 +257,7 @@ impl RecordInterpreter {
             let text = format!(
                 "{name} comes before a point with a tool axis states in which frame the points after the frame are"
             );
-            Err(ClFault::new(
+            Err(cl::FRAME.cl_fault(
                 "second frame",
                 Span::WHOLE,
                 text,
@@ -301,7 +302,7 @@ impl RecordInterpreter {
     /// Refuses the record that has left the spindle empty, where the tool moves after it.
     fn refuse_empty_spindle(&mut self) {
         if let Some(here) = self.unloaded.take() {
-            let fault = ClFault::new(
+            let fault = cl::TOOL.cl_fault(
                 "tool 0",
                 Span::WHOLE,
                 "the spindle is left without a tool (tool 0 or UNLOAD), and the tool moves after it",
@@ -459,7 +460,7 @@ impl RecordInterpreter {
     /// write SPINDL/ON for the command that stops the spindle, and SPINDL/OFF for the one that starts it.
     fn remark_on_spindle(&mut self, word: &'static str) {
         if self.spindle_on_after.take() == Some(self.path.motions()) {
-            self.events.warn(ClFault::new(
+            self.events.warn(cl::SPINDLE.cl_fault(
                 "spindle at a stop",
                 Span::WHOLE,
                 format!("SPINDL/ON comes directly before {word}, where a spindle is switched off"),
@@ -490,7 +491,7 @@ impl RecordInterpreter {
             return Ok(());
         }
         if stop && self.options.insert != Insert::Refuse {
-            return Err(ClFault::new(
+            return Err(cl::NC_TEXT.cl_fault(
                 "INSERT",
                 text.at,
                 "INSERT/STOP may be a program stop that is needed",
@@ -504,7 +505,7 @@ impl RecordInterpreter {
                 self.emit_text(here, TextUse::Insert, text);
             }
             Insert::Refuse => {
-                return Err(ClFault::new(
+                return Err(cl::NC_TEXT.cl_fault(
                     "INSERT",
                     text.at,
                     "INSERT is refused: the effect of its NC text on the machine is unknown",
@@ -522,7 +523,7 @@ impl RecordInterpreter {
         };
         let stated = self.options.own_statements.iter().find(|own| own.code() == Some((letter, number)));
         if stated.is_none() && !allowed.contains(&number) {
-            return Err(ClFault::new(
+            return Err(cl::NC_TEXT.cl_fault(
                 word,
                 at,
                 format!("{word} is refused: the effect of {}{number} on the machine is unknown", char::from(letter)),

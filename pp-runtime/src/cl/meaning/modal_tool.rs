@@ -10,6 +10,7 @@ use super::options::ReadingOptions;
 use super::tool_table::{Contradiction, CutterAt, StatedTool, ToolTable};
 use crate::cl::record::{CutterRecord, ToolCallRecord};
 use crate::cl::text::{ClFault, Span, decoded};
+use crate::diag::code::cl;
 use crate::program::{Location, ToolCall, Units};
 
 /// A call that is held, and the cutter that it has so far.
@@ -146,7 +147,7 @@ impl ModalTool {
 
     /// SET/OFSETL.
     pub(crate) fn set_length_offset(&mut self, register: u32, at: Span) -> Result<(), ClFault> {
-        let fault = |text: &str, help: &str| Err(ClFault::new("length offset", at, text, help));
+        let fault = |text: &str, help: &str| Err(cl::TOOL.cl_fault("length offset", at, text, help));
         if register == 0 {
             return fault("OFSETL 0 would cancel the length offset", "program a register above 0");
         }

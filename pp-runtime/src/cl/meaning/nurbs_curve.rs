@@ -4,6 +4,7 @@
 //! first control point. So a curve lists two more control points than knots.
 
 use crate::cl::text::{ClFault, Span};
+use crate::diag::code::cl;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Feed, Location, Spline};
 
@@ -96,7 +97,7 @@ impl OpenCurve {
         } else {
             format!("{name} comes outside a NURBS")
         };
-        Err(ClFault::new("NURBS", at, text, "write KNOT and CNTRL after NURBS/"))
+        Err(cl::ARC.cl_fault("NURBS", at, text, "write KNOT and CNTRL after NURBS/"))
     }
 
     /// KNOT.
@@ -113,7 +114,7 @@ impl OpenCurve {
     pub(crate) fn close(&mut self) -> Result<Location, ClFault> {
         self.open = false;
         if let Err(why) = self.reading.complete() {
-            return Err(ClFault::new(
+            return Err(cl::ARC.cl_fault(
                 "NURBS",
                 Span::WHOLE,
                 format!("the curve of line {} is invalid: {why}", self.reading.at.line),

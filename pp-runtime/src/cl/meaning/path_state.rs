@@ -1,6 +1,7 @@
 //! State of the path: position of the tool, feed, RAPID, clearance plane, and the last feed line.
 
 use crate::cl::text::{ClFault, Span};
+use crate::diag::code::cl;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, Vector3};
 use crate::program::{ClearancePlane, Feed};
@@ -84,7 +85,7 @@ impl PathState {
         } else {
             ("is relative to the tool position, which is unknown here", "program a GOTO or FROM before it")
         };
-        ClFault::new(name, at, format!("{name} {text}"), help)
+        cl::POSITION.cl_fault(name, at, format!("{name} {text}"), help)
     }
 
     /// Vector of the motion to a point, if that motion is a feed line.

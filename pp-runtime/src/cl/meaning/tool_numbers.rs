@@ -10,6 +10,7 @@ use super::options::{ReadingOptions, ToolArg};
 use crate::cl::dialect::Dialect;
 use crate::cl::record::ToolCallRecord;
 use crate::cl::text::{ClFault, Span};
+use crate::diag::code::cl;
 
 /// Numbers of CATIA.
 const OF_CATIA: [ToolArg; 1] = [ToolArg::Offset];
@@ -18,7 +19,7 @@ const OF_CATIA: [ToolArg; 1] = [ToolArg::Offset];
 const OF_AUTODESK: [ToolArg; 3] = [ToolArg::Ignored, ToolArg::Ignored, ToolArg::Offset];
 
 fn fault(at: Span, text: impl Into<String>, help: impl Into<String>) -> ClFault {
-    ClFault::new("number after the tool", at, text, help)
+    cl::TOOL_NUMBER.cl_fault("number after the tool", at, text, help)
 }
 
 /// Returns the call with its numbers under their meaning.

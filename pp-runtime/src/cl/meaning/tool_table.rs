@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 use crate::cl::record::{CutterKind, CutterRecord};
 use crate::cl::text::{ClFault, Span};
+use crate::diag::code::cl;
 use crate::program::{Location, ToolCall, Units};
 
 /// Largest difference of two statements of one length or diameter: two measurements of a tool agree no better.
@@ -139,7 +140,7 @@ impl ToolTable {
         }
         let text = format!("tool {number} is called {name} in line {} and {known} in line {line}", here.line);
         let help = "correct if it is one tool; two tools need two numbers";
-        Some((here, ClFault::new("names of a tool", Span::WHOLE, text, help).warning()))
+        Some((here, cl::TOOL.cl_fault("names of a tool", Span::WHOLE, text, help).warning()))
     }
 
     /// Corner radius of what cuts without a call, mm.
@@ -255,7 +256,7 @@ fn contradiction(number: Option<u32>, what: &str, place: StatedAt, other: &str, 
 }
 
 fn fault(text: String, help: String) -> ClFault {
-    ClFault::new("one number for two tools", Span::WHOLE, text, help)
+    cl::TOOL_NUMBER.cl_fault("one number for two tools", Span::WHOLE, text, help)
 }
 
 /// A length for messages.

@@ -6,6 +6,7 @@
 use super::frame::StatedFrame;
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::{cross, dot, length};
+use crate::diag::code::cl;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 
 /// Largest permitted deviation of a matrix from a rotation. CL data has five decimals or more.
@@ -30,7 +31,7 @@ impl RigidTransform {
         let unit_length = rows.iter().all(|row| (length(*row) - 1.0).abs() <= RIGID);
         let perpendicular = dot(x, y).abs() <= RIGID && dot(x, z).abs() <= RIGID && dot(y, z).abs() <= RIGID;
         if !unit_length || !perpendicular || dot(cross(x, y), z) < 0.0 {
-            return Err(ClFault::new(
+            return Err(cl::FRAME.cl_fault(
                 "TRACUT",
                 at,
                 "this matrix may only rotate and shift; it scales, shears or mirrors",

@@ -1,6 +1,7 @@
 //! Unit of length of a file: stated in it, or given by the caller.
 
 use crate::cl::text::{ClFault, Span};
+use crate::diag::code::cl;
 use crate::program::{Location, Units};
 
 /// Unit of length of a file. The first one stated holds for the whole file.
@@ -42,7 +43,7 @@ impl FileUnits {
         if std::mem::replace(&mut self.missing_reported, true) {
             return Ok(1.0);
         }
-        Err(ClFault::new(
+        Err(cl::UNITS.cl_fault(
             "units",
             at,
             "the unit of the file is unknown: no UNITS/MM, UNITS/INCH or UNIT/.. comes before this number",
@@ -52,7 +53,7 @@ impl FileUnits {
 
     /// UNITS, UNIT: sets the unit; refused if it contradicts the one stated or given before.
     pub(crate) fn take(&mut self, units: Units, here: Location) -> Result<(), ClFault> {
-        let fault = |text: String, help: &str| Err(ClFault::new("units", Span::WHOLE, text, help));
+        let fault = |text: String, help: &str| Err(cl::UNITS.cl_fault("units", Span::WHOLE, text, help));
         if let Some((before, line)) = self.found {
             if before != units {
                 let text = format!("this unit differs from that of line {}", line.line);

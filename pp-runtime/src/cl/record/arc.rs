@@ -4,6 +4,7 @@ use std::fmt::{self, Display, Formatter};
 
 use super::values::{ClNumber, ClNumbers, word_of};
 use crate::cl::text::{Args, ClFault, Span, number_at_start, quoted, skip_blanks};
+use crate::diag::code::cl;
 use crate::program::Rotation;
 
 /// Form of a CIRCLE by the count of its numbers. The sense in which the circle is traversed follows from it.
@@ -155,7 +156,12 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
             times = count.integer()?;
             if !(1..=MOST_REVOLUTIONS).contains(&times) {
                 let text = format!("TIMES must be 1 to {MOST_REVOLUTIONS}, found {times}");
-                return Err(ClFault::new("circle", count.at, text, "TIMES,n is the arc and n - 1 full revolutions"));
+                return Err(cl::ARC.cl_fault(
+                    "circle",
+                    count.at,
+                    text,
+                    "TIMES,n is the arc and n - 1 full revolutions",
+                ));
             }
             break;
         }
@@ -167,7 +173,7 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     }
     let circle = CircleRecord::of(&numbers, found, times, at);
     circle.map(|circle| ArcRecord::Circle(CircleRecord { sense, ..circle })).ok_or_else(|| {
-        ClFault::new(
+        cl::ARC.cl_fault(
             "circle",
             at,
             format!(
@@ -223,7 +229,7 @@ pub(crate) fn move_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     let angle = args.number_after(word)?;
     let degrees = angle.number()?;
     if !(degrees > 0.0 && degrees <= 360.0 * f64::from(MOST_REVOLUTIONS)) {
-        return Err(ClFault::new(
+        return Err(cl::ARC.cl_fault(
             "circle",
             angle.at,
             format!("the angle of an arc cannot be {} degrees", quoted(angle.text)),
@@ -308,7 +314,7 @@ impl TlonScan<'_> {
     #[cold]
     fn unexpected(&self, wanted: &str) -> ClFault {
         let start = skip_blanks(self.text, self.at).min(self.text.len().saturating_sub(1));
-        ClFault::new(
+        cl::ARC.cl_fault(
             "TLON",
             Span { start, end: start + 1 },
             format!("TLON: expected {wanted} here"),

@@ -12,6 +12,7 @@ use super::tool::{ToolRecord, cutter};
 use super::words::look_up;
 use crate::cl::dialect::Dialect;
 use crate::cl::text::{Args, ClFault, MajorWord, Span, number_at_start, skip_blanks};
+use crate::diag::code::cl;
 
 /// Name in the first lines of a file of Pro/ENGINEER and Creo.
 const CREO_NAME: &[u8] = b"Pro/CLfile";
@@ -75,7 +76,7 @@ impl CatiaMatrix {
 }
 
 fn incomplete() -> ClFault {
-    ClFault::new(
+    cl::FRAME.cl_fault(
         "frame",
         Span::WHOLE,
         "expected a row of the matrix of $$*CATIA0: four numbers separated by blanks",

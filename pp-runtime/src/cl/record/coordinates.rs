@@ -5,6 +5,7 @@ use std::fmt::{self, Display, Formatter};
 use super::values::{AxisPlane, ClNumber, ClNumbers, write_on_off};
 use crate::cl::text::{Args, ClFault, Span, quoted};
 use crate::cl::vector::{cross, distance, dot, length};
+use crate::diag::code::cl;
 use crate::program::Units;
 
 /// Largest permitted deviation of the axes of a frame from right-handed perpendicular unit vectors.
@@ -122,7 +123,7 @@ pub(crate) fn units(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
     } else if arg.is("INCH") || arg.is("INCHES") || arg.is("IN") {
         Ok(CoordinateRecord::Units(Units::Inches))
     } else {
-        Err(ClFault::new("unit", arg.at, format!("{} is not a known unit", quoted(arg.text)), "write MM or INCH"))
+        Err(cl::UNITS.cl_fault("unit", arg.at, format!("{} is not a known unit", quoted(arg.text)), "write MM or INCH"))
     }
 }
 
@@ -175,7 +176,7 @@ pub(crate) fn numbered_work_plane(args: &mut Args<'_>) -> Result<CoordinateRecor
     args.keyword("NUM")?;
     let number = args.needed()?;
     if number.integer()? != 1 {
-        return Err(ClFault::new(
+        return Err(cl::FRAME.cl_fault(
             args.name(),
             number.at,
             format!(
@@ -207,7 +208,7 @@ pub(crate) fn world(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
     args.keyword("WORLD")?;
     let numbers: [f64; 3] = args.exactly()?;
     if numbers.iter().any(|value| value.abs() > 0.0) {
-        return Err(ClFault::new(
+        return Err(cl::FRAME.cl_fault(
             args.name(),
             args.all(),
             "TRNTYP with numbers other than 0 is refused: its effect on the coordinates is not known",

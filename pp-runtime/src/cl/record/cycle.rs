@@ -5,6 +5,7 @@ use std::fmt::{self, Display, Formatter};
 use super::feed::FeedUnit;
 use super::values::{ClNumber, word_of};
 use crate::cl::text::{Arg, Args, ClFault, Span, quoted};
+use crate::diag::code::cl;
 use crate::program::{Dwell, MOST_GAPS};
 
 /// Kind of CYCLE: the word after `CYCLE/`.
@@ -340,7 +341,7 @@ impl CycleCall {
             let value = arg.number()?;
             let Some(place) = self.positional.get_mut(usize::from(self.further_depths)) else {
                 let text = format!("THRU with more than {} plates", MOST_GAPS + 1);
-                return Err(ClFault::new("CYCLE", arg.at, text, "drill this hole in two cycles"));
+                return Err(cl::HOLE.cl_fault("CYCLE", arg.at, text, "drill this hole in two cycles"));
             };
             *place = value;
             self.further_depths += 1;
@@ -382,7 +383,7 @@ fn once(first: bool, word: Arg<'_>) -> Result<(), ClFault> {
         return Ok(());
     }
     let text = format!("{} is programmed twice in this cycle", quoted(word.text));
-    Err(ClFault::new("CYCLE", word.at, text, "program each word of a CYCLE once"))
+    Err(cl::HOLE.cl_fault("CYCLE", word.at, text, "program each word of a CYCLE once"))
 }
 
 /// Refuses the second of two words that state the same.
@@ -391,7 +392,7 @@ fn one_of_two(first: bool, word: Arg<'_>, what: &str, words: &str) -> Result<(),
         return Ok(());
     }
     let text = format!("this cycle states two {what}");
-    Err(ClFault::new("CYCLE", word.at, text, format!("program one of {words}, once")))
+    Err(cl::HOLE.cl_fault("CYCLE", word.at, text, format!("program one of {words}, once")))
 }
 
 impl Display for CycleCall {

@@ -7,6 +7,7 @@ use super::feed::FeedRecord;
 use super::spindle::write_spindle;
 use super::values::{AxisPlane, ClNumber, word_of, write_on_off};
 use crate::cl::text::{Args, ClFault, Span};
+use crate::diag::code::cl;
 use crate::program::{Coolant, CutterSide, Dwell, Pressure, RotaryDirection, Rotation, Spindle};
 
 /// A record that sets a state of the machine.
@@ -140,7 +141,7 @@ pub(crate) fn delay(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
     let arg = args.needed()?;
     let value = arg.number()?;
     if value < 0.0 {
-        return Err(ClFault::new("DELAY", arg.at, "DELAY must not be negative", "write DELAY/seconds"));
+        return Err(cl::VALUE.cl_fault("DELAY", arg.at, "DELAY must not be negative", "write DELAY/seconds"));
     }
     let dwell = match args.next()? {
         None => Dwell::Seconds(value),
@@ -172,7 +173,7 @@ pub(crate) fn rotary_direction(args: &mut Args<'_>) -> Result<MachineRecord, ClF
     }
     // An empty place between commas is reported first.
     while args.next()?.is_some() {}
-    Err(ClFault::new(
+    Err(cl::FRAME.cl_fault(
         args.name(),
         args.all(),
         "this form of ROTABL is refused: points after it may be in the frame that rotates with the table, and where it rotates about \

@@ -12,6 +12,7 @@ use super::words::{Handling, has_numbers_of_a_frame, look_up, major_word};
 use crate::cl::dialect::Dialect;
 use crate::cl::text::{Args, ClFault, Help, Span, is_blank, quoted, skip_blanks};
 use crate::diag::Severity;
+use crate::diag::code::cl;
 
 /// Largest number of bytes of an unknown word that its message shows.
 const LONGEST_NAME: usize = 32;
@@ -48,7 +49,7 @@ pub(crate) fn parse<'a>(text: &'a [u8], given: GivenMeanings<'_>) -> Result<Reco
         Handling::Refused(reason) => match own_statement(text, word_at, given) {
             Some(own) => own,
             None if declared() => Ok(Record::Inert),
-            None => Err(ClFault::new(
+            None => Err(cl::REFUSED.cl_fault(
                 name,
                 word_at,
                 format!("{name} is refused: {reason}"),
@@ -56,14 +57,14 @@ pub(crate) fn parse<'a>(text: &'a [u8], given: GivenMeanings<'_>) -> Result<Reco
             )),
         },
         Handling::Automatic(_) if declared() || leaves_clamps_to_post(text) => Ok(Record::Inert),
-        Handling::Automatic(reason) => Err(ClFault::new(
+        Handling::Automatic(reason) => Err(cl::REFUSED.cl_fault(
             name,
             word_at,
             format!("{name} is refused: {reason}"),
             format!("add `--inert {name}` if that is what it asks for; else suppress {name} in the CAM system"),
         )),
         Handling::Hazard(reason) => {
-            Err(ClFault::new(name, word_at, format!("{name} is refused: {reason}"), instead_of(name)))
+            Err(cl::REFUSED.cl_fault(name, word_at, format!("{name} is refused: {reason}"), instead_of(name)))
         }
         Handling::Lathe => Err(ClFault::lathe_record(word_at)),
     }
@@ -76,7 +77,7 @@ fn inert_unless_many_numbers<'a>(text: &[u8], word_at: Span) -> Result<Record<'a
         return Ok(Record::Inert);
     }
     let word = String::from_utf8_lossy(&text[word_at.start..word_at.end]);
-    Err(ClFault::new(
+    Err(cl::REFUSED.cl_fault(
         "numbers of an inert word",
         Span { start: word_at.start, end: text.len() },
         format!(
@@ -136,7 +137,7 @@ pub(crate) fn joined_record(text: &[u8], offset: usize, line: &[u8]) -> Option<C
     // A comment has no major word; its `$$->` is shown.
     let shown = if word.end == 0 { text.len().min(4) } else { word.end };
     let first = String::from_utf8_lossy(&text[..shown]);
-    Some(ClFault::new(
+    Some(cl::SYNTAX.cl_fault(
         "joined record",
         Span { start: offset + start, end: offset + end },
         format!("{} would be lost: the `$` at the end of the line before joins it to {first}", row.word.name),
@@ -180,7 +181,7 @@ fn own_statement<'a>(text: &'a [u8], word_at: Span, given: GivenMeanings<'_>) ->
         return None;
     }
     let known: Vec<&str> = known.collect();
-    Some(Err(ClFault::new(
+    Some(Err(cl::UNKNOWN_WORD.cl_fault(
         "statement of the shop",
         whole,
         format!("{} is not one of the statements in `[cl.words]`", quoted(text)),
@@ -213,6 +214,7 @@ fn unknown(text: &[u8], mut at: Span) -> ClFault {
     }
     let word = &text[at.start..at.end];
     ClFault {
+        code: cl::UNKNOWN_WORD,
         kind: "unknown word",
         at,
         text: format!("{} is not a known word of CL data", quoted(word)),

@@ -4,6 +4,7 @@ use std::fmt::{self, Formatter};
 
 use super::values::ClNumber;
 use crate::cl::text::{Arg, Args, ClFault, quoted};
+use crate::diag::code::cl;
 use crate::program::{Rotation, Spindle};
 
 /// Words of constant surface speed, which belongs to turning.
@@ -59,7 +60,7 @@ pub(crate) fn spindle(args: &mut Args<'_>) -> Result<Spindle, ClFault> {
     let mut next = Some(args.needed()?);
     while let Some(arg) = next {
         if words.take(arg, args)? || words.contradicts_itself() {
-            return Err(ClFault::new(
+            return Err(cl::SPINDLE.cl_fault(
                 "spindle",
                 arg.at,
                 format!("{} contradicts an earlier word of this SPINDL", quoted(arg.text)),
@@ -69,7 +70,7 @@ pub(crate) fn spindle(args: &mut Args<'_>) -> Result<Spindle, ClFault> {
         next = args.next()?;
     }
     if words.rpm && words.speed.is_none() {
-        return Err(ClFault::new(
+        return Err(cl::SPINDLE.cl_fault(
             "spindle speed",
             args.all(),
             "SPINDL with RPM has no speed",
@@ -83,7 +84,7 @@ pub(crate) fn spindle(args: &mut Args<'_>) -> Result<Spindle, ClFault> {
 /// Reads a plausible spindle speed, rev/min.
 fn speed(arg: Arg<'_>) -> Result<f64, ClFault> {
     let value = arg.number()?;
-    let fault = |text: String, help: &str| Err(ClFault::new("spindle speed", arg.at, text, help));
+    let fault = |text: String, help: &str| Err(cl::SPINDLE.cl_fault("spindle speed", arg.at, text, help));
     if value <= 0.0 {
         return fault(
             format!("the spindle speed must be above 0, found {}", quoted(arg.text)),

@@ -3,6 +3,7 @@
 use std::fmt::{self, Display, Formatter};
 
 use crate::cl::text::{Arg, Args, ClFault, Span};
+use crate::diag::code::cl;
 
 /// A record that defines or calls a subprogram.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,7 +42,12 @@ impl SubprogramName {
         let mut word = [b' '; LONGEST_NAME];
         let Some(place) = word.get_mut(..arg.text.len()) else {
             let text = format!("the name of a subprogram has at most {LONGEST_NAME} characters");
-            return Err(ClFault::new("subprogram", arg.at, text, "write a shorter name after DEFSUB and each CALSUB"));
+            return Err(cl::SUBPROGRAM.cl_fault(
+                "subprogram",
+                arg.at,
+                text,
+                "write a shorter name after DEFSUB and each CALSUB",
+            ));
         };
         place.copy_from_slice(arg.text);
         word.make_ascii_uppercase();

@@ -4,6 +4,7 @@ use std::fmt::{self, Display, Formatter};
 
 use super::values::ClNumber;
 use crate::cl::text::{Arg, Args, ClFault, Span, quoted};
+use crate::diag::code::cl;
 
 /// Size of a cutter, in units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -146,7 +147,7 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
             let value = args.number_after(arg)?;
             let length = value.number()?;
             if length <= 0.0 {
-                return Err(ClFault::new(
+                return Err(cl::TOOL.cl_fault(
                     "gauge length",
                     value.at,
                     format!("the gauge length (LENGTH) must be above 0, found {}", quoted(value.text)),
@@ -159,7 +160,7 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
             let offset = length_offset(arg, value)?;
             if tool.offset.is_some_and(|other| other != offset) {
                 let text = "two different length offset registers for one tool";
-                return Err(ClFault::new("length offset", value.at, text, ONE_REGISTER));
+                return Err(cl::TOOL.cl_fault("length offset", value.at, text, ONE_REGISTER));
             }
             tool.offset = Some(offset);
         } else {
@@ -176,7 +177,7 @@ fn length_offset(word: Arg<'_>, value: Arg<'_>) -> Result<u32, ClFault> {
     match value.integer()? {
         0 => {
             let text = format!("{} 0 would cancel the length offset", quoted(word.text));
-            Err(ClFault::new("length offset", value.at, text, ONE_REGISTER))
+            Err(cl::TOOL.cl_fault("length offset", value.at, text, ONE_REGISTER))
         }
         register => Ok(register),
     }
@@ -188,7 +189,7 @@ fn skip_quoted(first: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
     while !ends {
         let Some(place) = args.next_place() else {
             let text = "the quote that begins here does not end";
-            return Err(ClFault::new("quote", first.at, text, "write a `'` after the text, or delete the text"));
+            return Err(cl::SYNTAX.cl_fault("quote", first.at, text, "write a `'` after the text, or delete the text"));
         };
         ends = place.is_some_and(|arg| arg.text.ends_with(b"'"));
     }
@@ -234,7 +235,7 @@ fn cutter_of(
     at: Span,
 ) -> Result<CutterRecord, ClFault> {
     if diameter < 0.0 || corner_radius.is_some_and(|radius| radius < 0.0) {
-        return Err(ClFault::new(
+        return Err(cl::TOOL.cl_fault(
             "size of the cutter",
             at,
             "diameter and corner radius of a cutter must not be negative",

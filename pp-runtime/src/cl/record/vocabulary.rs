@@ -7,6 +7,7 @@
 use super::Record;
 use super::words::look_up;
 use crate::cl::text::{Arg, Args, ClFault, quoted, whole_number};
+use crate::diag::code::cl;
 
 /// Numbers of words that are in the table of words here, in the vocabulary of IBM's APT (`aptwords.tbl`), which G-POST
 /// extends.
@@ -30,7 +31,7 @@ pub(super) fn vocabulary<'a>(args: &mut Args<'a>) -> Result<Record<'a>, ClFault>
         if look_up(word.text).is_some() && number.is_none_or(|number| is_of_another(word, number)) {
             let text = format!("PPWORD is refused: it may change the meaning of {}", quoted(word.text));
             let help = "delete this line if the word has its usual meaning in this file";
-            return Err(ClFault::new("PPWORD", word.at, text, help));
+            return Err(cl::UNKNOWN_WORD.cl_fault("PPWORD", word.at, text, help));
         }
         // A word of the vocabulary may begin with a digit.
         let after = if number.is_some() { args.next()? } else { next };

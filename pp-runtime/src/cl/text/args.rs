@@ -7,6 +7,7 @@
 use super::blanks::{is_blank, skip_blanks};
 use super::fault::{ClFault, Span, quoted};
 use super::number::{number_at_start, whole_number};
+use crate::diag::code::cl;
 
 /// One argument without the blanks around it; never empty.
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +35,7 @@ impl Arg<'_> {
     pub(crate) fn number(self) -> Result<f64, ClFault> {
         match whole_number(self.text) {
             Some(value) if value.is_finite() => Ok(value),
-            Some(_) => Err(ClFault::new(
+            Some(_) => Err(cl::NUMBER.cl_fault(
                 "number too large",
                 self.at,
                 format!("{} is beyond the range of numbers", quoted(self.text)),
@@ -51,7 +52,7 @@ impl Arg<'_> {
         if (0.0..=f64::from(u32::MAX)).contains(&value) && value.fract().abs() < f64::MIN_POSITIVE {
             Ok(value as u32)
         } else {
-            Err(ClFault::new(
+            Err(cl::NUMBER.cl_fault(
                 "whole number",
                 self.at,
                 format!("{} must be a whole number, 0 or more", quoted(self.text)),
@@ -63,7 +64,7 @@ impl Arg<'_> {
     #[cold]
     fn not_a_number(self) -> ClFault {
         if self.text.contains(&b'/') {
-            return ClFault::new(
+            return cl::SYNTAX.cl_fault(
                 "second slash",
                 self.at,
                 "this argument contains a second slash",
@@ -71,7 +72,7 @@ impl Arg<'_> {
             );
         }
         if self.text.contains(&b'$') {
-            return ClFault::new(
+            return cl::SYNTAX.cl_fault(
                 "stray $",
                 self.at,
                 format!("`$` inside a statement: {}", quoted(self.text)),
@@ -84,7 +85,7 @@ impl Arg<'_> {
         } else {
             "write numbers as 12, -0.5, .5 or 1.5E-3"
         };
-        ClFault::new("number expected", self.at, format!("{} is not a number", quoted(self.text)), help)
+        cl::NUMBER.cl_fault("number expected", self.at, format!("{} is not a number", quoted(self.text)), help)
     }
 }
 
@@ -175,7 +176,12 @@ impl<'a> Args<'a> {
     pub(crate) fn needed(&mut self) -> Result<Arg<'a>, ClFault> {
         let name = self.name();
         self.next()?.ok_or_else(|| {
-            ClFault::new("argument missing", self.all(), format!("an argument of {name} is missing"), self.word.help())
+            cl::SYNTAX.cl_fault(
+                "argument missing",
+                self.all(),
+                format!("an argument of {name} is missing"),
+                self.word.help(),
+            )
         })
     }
 
@@ -186,7 +192,7 @@ impl<'a> Args<'a> {
             return Ok(number);
         }
         let found = found.map_or_else(String::new, |arg| format!(", {} follows", quoted(arg.text)));
-        Err(ClFault::new(
+        Err(cl::NUMBER.cl_fault(
             "number expected",
             word.at,
             format!("{} has no number after it{found}", quoted(word.text)),
@@ -218,7 +224,7 @@ impl<'a> Args<'a> {
     /// Fault: the record has a wrong number of arguments.
     #[cold]
     pub(crate) fn wrong_count(&self, needs: &str, found: usize) -> ClFault {
-        ClFault::new(
+        cl::SYNTAX.cl_fault(
             "wrong number of arguments",
             self.all(),
             format!("{} needs {needs}, found {found}", self.name()),
@@ -228,7 +234,7 @@ impl<'a> Args<'a> {
 
     /// Fault: an argument that this reader does not understand.
     pub(crate) fn not_understood(&self, arg: Arg<'_>) -> ClFault {
-        ClFault::new(
+        cl::UNSUPPORTED.cl_fault(
             self.name(),
             arg.at,
             format!("{} with {} is not supported", self.name(), quoted(arg.text)),
@@ -330,7 +336,7 @@ impl<'a> Args<'a> {
     #[cold]
     fn empty_place(&self, at: usize) -> ClFault {
         let start = at.min(self.text.len() - 1);
-        ClFault::new(
+        cl::SYNTAX.cl_fault(
             "empty argument",
             Span { start, end: start + 1 },
             "an argument is missing at this comma",
@@ -342,7 +348,7 @@ impl<'a> Args<'a> {
 #[cold]
 fn slash_expected(word: &MajorWord, text: &[u8], at: usize) -> ClFault {
     let name = word.name;
-    ClFault::new(
+    cl::SYNTAX.cl_fault(
         "slash expected",
         Span { start: at, end: text.len() },
         format!("expected a slash after {name}, found {}", quoted(&text[at..])),

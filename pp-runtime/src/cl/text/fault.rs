@@ -3,7 +3,8 @@
 //! A fault names bytes of its statement; the reader converts them to line and column of the file.
 
 use super::encoding::decoded;
-use crate::diag::Severity;
+use crate::diag::code::cl;
+use crate::diag::{Code, Severity};
 
 /// Range of bytes of a statement, counted from its first byte.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -30,6 +31,8 @@ pub(crate) enum Help {
 /// A fault of a statement: what is wrong, where, and the remedy.
 #[derive(Debug)]
 pub(crate) struct ClFault {
+    /// What a program that reads the messages may rely on.
+    pub(crate) code: Code,
     /// Faults of one kind are counted together.
     pub(crate) kind: &'static str,
     pub(crate) at: Span,
@@ -48,11 +51,20 @@ impl From<Box<ClFault>> for ClFault {
     }
 }
 
-impl ClFault {
-    pub(crate) fn new(kind: &'static str, at: Span, text: impl Into<String>, help: impl Into<String>) -> Self {
-        ClFault { kind, at, text: text.into(), help: Help::Text(help.into()), severity: Severity::Error }
+impl Code {
+    /// The error of a statement with this code.
+    pub(crate) fn cl_fault(
+        self,
+        kind: &'static str,
+        at: Span,
+        text: impl Into<String>,
+        help: impl Into<String>,
+    ) -> ClFault {
+        ClFault { code: self, kind, at, text: text.into(), help: Help::Text(help.into()), severity: Severity::Error }
     }
+}
 
+impl ClFault {
     /// The same fault as a warning.
     pub(crate) fn warning(self) -> Self {
         ClFault { severity: Severity::Warning, ..self }
@@ -65,7 +77,7 @@ impl ClFault {
 
     /// Fault: the record belongs to turning.
     pub(crate) fn lathe_record(at: Span) -> Self {
-        ClFault::new(
+        cl::TURNING.cl_fault(
             TURNING,
             at,
             "this record belongs to turning: only milling is supported",

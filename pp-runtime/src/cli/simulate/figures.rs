@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::diag::code::simulate;
 use crate::simulate::{EPS_MM, SimulationOutcome, Size, What};
 
 use super::against_design::{AgainstDesign, DesignFigures};
@@ -59,6 +60,7 @@ struct OverTime<'a> {
 /// A finding. Volume and length are those of stock, the distance that of two bodies: null where they collide.
 #[derive(Serialize)]
 struct FindingFigures<'a> {
+    code: &'static str,
     kind: &'static str,
     text: String,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -118,6 +120,7 @@ impl<'a> Figures<'a> {
                 Size::Apart(least_mm) => (None, None, Some(least_mm)),
             };
             FindingFigures {
+                code: simulate::CONTACT.name(),
                 kind: found.what.name(),
                 text: found.text(),
                 bodies: match &found.what {

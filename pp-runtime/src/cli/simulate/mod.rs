@@ -15,6 +15,7 @@ use std::io::{self, BufReader, Seek as _, Write as _};
 use std::path::Path;
 
 use crate::check::{CheckPolicy, Checked, check_observed};
+use crate::diag::code::simulate;
 use crate::kinematics::AnyMachine;
 use crate::simulate::{
     LineRecords, Machined, Machining, Origin, PartPlaces, Recording, Simulation, SimulationOutcome, ToolBodies,
@@ -93,15 +94,15 @@ impl Simulated {
     /// Writes collisions and gouges.
     fn findings(&self, messages: &mut MessageWriter<'_>) {
         for found in &self.outcome.found {
-            messages.warning(&found.text());
+            messages.warning(simulate::CONTACT, &found.text());
         }
-        self.outcome.differences.iter().for_each(|text| messages.warning(text));
+        self.outcome.differences.iter().for_each(|text| messages.warning(simulate::TOOL_TABLE, text));
         let more = self.outcome.count - self.outcome.found.len() as u64;
         if more > 0 {
-            messages.warning(&format!("{more} more findings"));
+            messages.warning(simulate::CONTACT, &format!("{more} more findings"));
         }
         let gouges = self.against.as_ref().map_or_else(Vec::new, AgainstDesign::warnings);
-        gouges.iter().for_each(|text| messages.warning(text));
+        gouges.iter().for_each(|text| messages.warning(simulate::GOUGE, text));
     }
 
     /// Writes findings and summary.

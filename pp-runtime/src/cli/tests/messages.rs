@@ -13,11 +13,11 @@ fn json_messages_are_one_object_per_line() {
     assert_eq!(lines.len(), 2);
     assert_eq!(lines[0]["file"], shop.arg("part.cls"));
     assert_eq!((&lines[0]["line"], &lines[0]["column"], &lines[0]["length"]), (&2.into(), &6.into(), &3.into()));
-    assert_eq!(lines[0]["severity"], "error");
+    assert_eq!((&lines[0]["severity"], &lines[0]["code"]), (&"error".into(), &"cl/syntax".into()));
     assert_eq!(lines[0]["text"], "GOTO needs 3 or 6 numbers (found 1)");
     assert_eq!(lines[0]["help"], "write X, Y and Z");
     assert_eq!(lines[1]["severity"], "note");
-    assert!(lines[1]["line"].is_null());
+    assert!(lines[1]["line"].is_null() && lines[1].get("code").is_none());
 }
 
 /// The messages for findings about `text`.

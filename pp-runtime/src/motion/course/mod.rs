@@ -25,6 +25,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::UnitVector3;
 
+use crate::diag::code::plan;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::math::smaller;
 use crate::kinematics::{AnyMachine, Branch, Pose};
@@ -33,7 +34,6 @@ use crate::options::{Mode, Singular, StretchMode};
 use crate::program::Units;
 use crate::program::{Event, Location, MachineFunction, NewStart, ReferenceGeometry};
 
-use crate::motion::fault::Fault;
 use crate::motion::geometry::PathSegment;
 use crate::motion::place::{Placer, UsableModes};
 use crate::motion::rotary::{Cost, RotaryWords, RotationSense};
@@ -590,7 +590,8 @@ impl Navigator {
 
 #[cold]
 fn too_long(at: Location) -> Diagnostic {
-    Fault::new("up to here the rotary axes change their course too often for one program")
+    plan::COURSE
+        .fault("up to here the rotary axes change their course too often for one program")
         .help("post the CL data in parts, or keep the tool axis on one side of the pole")
         .at(at, Severity::Error)
 }

@@ -6,6 +6,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use crate::diag::code::plan;
 use crate::kinematics::math::{self, larger, smaller};
 use crate::nalgebra::{Point3, Vector3};
 use crate::program::Arc;
@@ -237,7 +238,8 @@ impl<'a> ArcGeometry<'a> {
         let step = (8.0 * tolerance_mm / self.radius()).sqrt().min(FRAC_PI_2);
         let chords = (self.arc.angle_rad / step).ceil().max(1.0);
         if chords.is_nan() || chords > MOST_CHORDS {
-            return Err(Fault::new("this arc cannot be cut into chords")
+            return Err(plan::ARC
+                .fault("this arc cannot be cut into chords")
                 .help("check its radius, its number of revolutions and LINTOL"));
         }
         Ok(chords as u32)

@@ -8,6 +8,7 @@
 
 use nalgebra::UnitVector3;
 
+use crate::diag::code::plan;
 use crate::motion::fault::Fault;
 use crate::motion::step::{AxisWords, MAX_AXES, Step};
 use crate::nc::whole_units;
@@ -55,7 +56,7 @@ impl Placer {
                 let [on, off] = [true, false].map(|on| Step::DynamicOffset { on });
                 before(self.mapped_words_across(above, &map)?, Some([on, off]))
             }
-            (TipStart::WithMotion { .. }, Some(PlaneAbility { length_first: true, .. })) => Err(Fault::new(
+            (TipStart::WithMotion { .. }, Some(PlaneAbility { length_first: true, .. })) => Err(plan::MODE.fault(
                 "the table is rotated where tip control begins: X and Y come over the part in the dynamic offset (G254), which is \
                  not among `control.functions`, or is not for this `rotary_offset`",
             )
@@ -104,7 +105,7 @@ impl Placer {
     /// Words of the axes across the retract axis that are axis positions.
     fn axis_words_across(&self, at: &AxisPosition) -> Result<AxisWords, Fault> {
         if self.head && self.travel.gauge_length_mm().is_none() && !self.is_plain(at) {
-            return Err(Fault::new(
+            return Err(plan::TOOL_LENGTH.fault(
                 "X and Y come as axis positions before tip control here, and the gauge length of the tool is unknown",
             )
             .help("give `[tools.N] length` in the configuration, or LENGTH in LOADTL"));

@@ -17,6 +17,7 @@
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
+use crate::diag::code::plan;
 use crate::kinematics::{AnyMachine, AxisKind, AxisValues, MotionBound, Side};
 use crate::motion::policy::Policy;
 use crate::options::{StretchMode, TcpFrame, ToolPosture};
@@ -288,6 +289,7 @@ fn joint_rotation(joint: &crate::kinematics::Joint, angle_rad: f64) -> Matrix3<f
 
 /// The fault that the angles of a tilted plane do not give its orientation.
 pub(crate) fn no_plane() -> Fault {
-    Fault::new("the angles of the tilted plane do not give the orientation of the tool")
+    plan::INTERNAL
+        .fault("the angles of the tilted plane do not give the orientation of the tool")
         .help("this is a fault of the postprocessor, not of the CL data: use mode axes")
 }

@@ -25,6 +25,7 @@
 //!
 //! Nothing is allocated: a motion is a few positions on the stack, however many pieces it has.
 
+use crate::diag::code::plan;
 use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{
     AxisValues, BlockDeviation, Branch, MotionBound, OutOfLimits, Pose, Rotary, RotaryAngles, RoughDeviation, Solution,
@@ -480,7 +481,7 @@ impl Certifier<'_> {
     ) -> Result<CuttingPath, Fault> {
         let rounding = self.placer.largest_rounding();
         if rounding >= self.allowed.tip_mm {
-            return Err(Fault::new(format_args!(
+            return Err(plan::TOLERANCE.fault(format_args!(
                 "the linear words are too coarse for a tolerance of {} while a rotary axis moves: their rounding alone moves \
                  the tip by up to {}",
                 self.placer.units().length(self.allowed.tip_mm),
@@ -490,7 +491,7 @@ impl Certifier<'_> {
         }
         let rounding = self.placer.rotary.rounding_rad;
         if rounding >= self.allowed.axis_rad {
-            return Err(Fault::new(format_args!(
+            return Err(plan::TOLERANCE.fault(format_args!(
                 "the rotary words are too coarse for a tolerance of {:.4}° of the tool axis: their rounding alone rotates it by \
                  up to {:.4}°",
                 self.allowed.axis_rad.to_degrees(),
@@ -499,10 +500,9 @@ impl Certifier<'_> {
             .help("increase `axis_tolerance_path`, or give more decimals: `rotary` in [formats]"));
         }
         let Some(segment) = PathSegment::new(&from.pose, &to.pose) else {
-            return Err(Fault::new(
-                "the tool axis rotates by 180° in one motion: the direction of the rotation is undefined",
-            )
-            .help("program a point in between"));
+            return Err(plan::TOOL_AXIS
+                .fault("the tool axis rotates by 180° in one motion: the direction of the rotation is undefined")
+                .help("program a point in between"));
         };
         let half_unit = |unit: f64, extent: f64| if extent > 0.0 { 0.5 * unit / extent } else { 1.0 };
         let resolution = half_unit(self.placer.unit_mm(), segment.length())
@@ -754,7 +754,7 @@ impl Certifier<'_> {
         let shown = |place: &AxisPosition| {
             rotated.map_or(0.0, |rotary| rotary.degrees_for_display(place.words[index], self.placer.rotary.scale))
         };
-        Fault::new(format_args!(
+        plan::POLE.fault(format_args!(
             "before this point {} would have to rotate from {}° to {}° on the spot, which moves the tool axis or the tip \
              out of tolerance ({}, {:.4}°)",
             self.placer.chain()[index].letter,

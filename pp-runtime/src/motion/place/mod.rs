@@ -24,6 +24,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
+use crate::diag::code::plan;
 use crate::kinematics::math::rounded;
 use crate::kinematics::{
     AngleScale, AnyMachine, Axis, AxisKind, AxisUnits, AxisValues, Branch, Limits, OutOfLimits, Pose, Rotary, Side,
@@ -114,7 +115,8 @@ pub(crate) struct Placer {
 }
 
 fn too_large(letter: char) -> Fault {
-    Fault::new(format_args!("the value of {letter} is too large for its word"))
+    plan::WORD
+        .fault(format_args!("the value of {letter} is too large for its word"))
         .help("`linear_whole` and `rotary_whole` in [formats] are the digits before the decimal point")
 }
 
@@ -660,12 +662,13 @@ impl Placer {
         let index = self.linear.retract_axis;
         let part_end = |limits: Limits| if self.linear.retract_share > 0.0 { limits.lower } else { limits.upper };
         if self.limits[index].is_some_and(|limits| (coordinate_mm - part_end(limits)).abs() < self.unit_mm()) {
-            return Err(Fault::new(format_args!(
-                "the retract position {} = {} (machine coordinate) is the end of the travel at the part",
-                self.chain[index].letter,
-                self.units.length(coordinate_mm)
-            ))
-            .help("set `retract.position` in the configuration to a machine coordinate away from the part"));
+            return Err(plan::RETRACT
+                .fault(format_args!(
+                    "the retract position {} = {} (machine coordinate) is the end of the travel at the part",
+                    self.chain[index].letter,
+                    self.units.length(coordinate_mm)
+                ))
+                .help("set `retract.position` in the configuration to a machine coordinate away from the part"));
         }
         self.machine_words(index, coordinate_mm)
     }

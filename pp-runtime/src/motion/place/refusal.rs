@@ -1,5 +1,6 @@
 //! Messages for poses that the machine cannot reach.
 
+use crate::diag::code::plan;
 use crate::kinematics::{AxisValues, OutOfLimits, Pose, Rotary};
 
 use super::Placer;
@@ -28,7 +29,9 @@ pub(crate) fn outside_limits(placer: &Placer, outside: &[Option<OutOfLimits>; 2]
         }
         text += &format!(" (limits {})", limits_text(placer, out.rotary.index));
     }
-    Fault::new(text).help("rotate the part on the table (`part_rotation`), or correct the limits in the configuration")
+    plan::LIMITS
+        .fault(text)
+        .help("rotate the part on the table (`part_rotation`), or correct the limits in the configuration")
 }
 
 /// The fault that only a swing of the tool in the cut would keep an axis inside its limits.
@@ -42,7 +45,7 @@ pub(crate) fn jump(placer: &Placer, from: &RotaryWords, to: &RotaryWords, neares
     let degrees = |(axis, rotary): (usize, &Rotary), words: &RotaryWords| {
         rotary.degrees_for_display(words[axis], placer.rotary.scale)
     };
-    Fault::new(format_args!(
+    plan::LIMITS.fault(format_args!(
         "{} would have to continue to {}°, outside its limits {}; rotating {} from {}° to {}° instead would swing the \
          tool in the cut",
         letter(limit),
@@ -59,8 +62,8 @@ pub(crate) fn jump(placer: &Placer, from: &RotaryWords, to: &RotaryWords, neares
 #[cold]
 pub(crate) fn unreachable(placer: &Placer, pose: &Pose, held: &AxisValues) -> Fault {
     match placer.machine.reach(&pose.axis, held) {
-        Err(reason) => Fault::new(reason),
-        Ok(()) => Fault::new(format_args!(
+        Err(reason) => plan::REACH.fault(reason),
+        Ok(()) => plan::REACH.fault(format_args!(
             "{} cannot reach the tool axis ({:.7}, {:.7}, {:.7})",
             placer.machine().name(),
             pose.axis.x,

@@ -2,6 +2,7 @@
 
 use nalgebra::UnitVector3;
 
+use crate::diag::code::plan;
 use crate::kinematics::{
     AxisValues, Branch, OutOfLimits, Pose, REACH_TOLERANCE, Rotary, RotaryAngles, Side, Solution, Solutions, math,
 };
@@ -85,12 +86,13 @@ impl Placer {
             if feed && snapped != from.words[index] {
                 let letter = self.chain[index].letter;
                 let degrees = |word| rotary.degrees_for_display(word, self.rotary.scale);
-                return Err(Fault::new(format_args!(
-                    "{letter} would have to rotate from {}° to {}° in the cut, but it is an indexed axis",
-                    degrees(from.words[index]),
-                    degrees(snapped)
-                ))
-                .help("program this operation with a fixed tool axis"));
+                return Err(plan::INDEXING
+                    .fault(format_args!(
+                        "{letter} would have to rotate from {}° to {}° in the cut, but it is an indexed axis",
+                        degrees(from.words[index]),
+                        degrees(snapped)
+                    ))
+                    .help("program this operation with a fixed tool axis"));
             }
         }
         Ok(())
@@ -100,16 +102,17 @@ impl Placer {
     #[cold]
     fn between_steps(&self, rotary: &Rotary, word: i64, step: i64) -> Fault {
         let scale = self.rotary.scale;
-        Fault::new(format_args!(
-            "{} would have to rotate to {}°, which is not a multiple of its indexing step of {}°",
-            self.chain[rotary.index].letter,
-            rotary.degrees_for_display(word, scale),
-            scale.degrees(step)
-        ))
-        .help(
-            "move the tool axis of the operation to a step in CAM; to move it to a step at the pole, increase \
+        plan::INDEXING
+            .fault(format_args!(
+                "{} would have to rotate to {}°, which is not a multiple of its indexing step of {}°",
+                self.chain[rotary.index].letter,
+                rotary.degrees_for_display(word, scale),
+                scale.degrees(step)
+            ))
+            .help(
+                "move the tool axis of the operation to a step in CAM; to move it to a step at the pole, increase \
              `axis_tolerance` in [course]",
-        )
+            )
     }
 
     /// The fault that words of the course do not give a tool axis: an indexed axis is at a step there.
@@ -127,7 +130,8 @@ impl Placer {
             (word != at).then(|| self.between_steps(&rotary, word, step))
         });
         between.unwrap_or_else(|| {
-            Fault::new("the planned rotary angles do not give the tool axis of this point")
+            plan::INTERNAL
+                .fault("the planned rotary angles do not give the tool axis of this point")
                 .help("this is a fault of the postprocessor, not of the CL data")
         })
     }
@@ -151,7 +155,7 @@ impl Placer {
             if 2.0 * place.deviation_rad >= allowed.axis_rad {
                 let (letter, degrees) =
                     (self.chain[index].letter, |word| rotary.degrees_for_display(word, self.rotary.scale));
-                return Err(Fault::new(format_args!(
+                return Err(plan::INDEXING.fault(format_args!(
                     "{letter} would have to rotate from {}° to {}° in the cut, but it is an indexed axis with steps of {}°",
                     degrees(held),
                     degrees(wanted),

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 
+use crate::diag::code::plan;
 use crate::kinematics::{AxisValues, Rotary};
 use crate::nc::whole_units;
 use crate::program::Shown;
@@ -214,7 +215,7 @@ impl Placer {
         }
         let degrees = Shown(off.to_degrees());
         let text = format_args!("the steps of the indexed axes are {degrees}° off the tool axis of this plane");
-        Err(Fault::new(text).help("move the tool axis of the operation to a step in CAM"))
+        Err(plan::INDEXING.fault(text).help("move the tool axis of the operation to a step in CAM"))
     }
 
     /// Which of the possible poses of a plane this position is, according to a rule: see [`PoseRule::choose`].

@@ -8,6 +8,7 @@
 use nalgebra::{UnitVector3, Vector3};
 
 use super::{AxisPosition, Placer};
+use crate::diag::code::plan;
 use crate::kinematics::Pose;
 use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
@@ -77,7 +78,7 @@ impl Placer {
             self.passing(&from.pose.axis, &to.pose.axis).filter(|(_, _, angle)| *angle < CONTROL_CHOOSES_NEAR_POLE);
         let (Some((_, _, angle)), Some(first)) = (passed, self.rotary.axes.first()) else { return Ok(()) };
         let letter = self.chain[first.index].letter;
-        Err(Fault::new(format_args!(
+        Err(plan::POLE.fault(format_args!(
             "the tool axis passes the pole at {:.4}°, where the control may rotate {letter} by up to 180° or take other \
              angles: with tool vectors it could come to a limit",
             angle.to_degrees()
@@ -126,10 +127,11 @@ impl Placer {
     #[cold]
     fn hidden_rotation(&self, from: &AxisPosition, to: &AxisPosition) -> Fault {
         let (letter, turn) = self.largest_rotation(&from.words, &to.words).unwrap_or_default();
-        Fault::new(format_args!(
-            "{letter} has to rotate by {:.3}° here while the tool axis stays, which tool vectors cannot express",
-            turn.to_degrees()
-        ))
-        .help("set `tcp_words = \"angles\"`; for a rewind `retract.rewind = \"leave\"` is enough")
+        plan::MODE
+            .fault(format_args!(
+                "{letter} has to rotate by {:.3}° here while the tool axis stays, which tool vectors cannot express",
+                turn.to_degrees()
+            ))
+            .help("set `tcp_words = \"angles\"`; for a rewind `retract.rewind = \"leave\"` is enough")
     }
 }

@@ -6,6 +6,7 @@
 
 use nalgebra::Vector3;
 
+use crate::diag::code::plan;
 use crate::kinematics::math::{larger, smaller};
 use crate::kinematics::{AnyMachine, AxisKind, Limits, Side};
 use crate::motion::fault::Fault;
@@ -146,7 +147,7 @@ impl TravelCheck {
     pub(crate) fn check_machine(&self, index: usize, coordinate: f64) -> Result<(), Fault> {
         let Some(axis) = self.axes.iter().find(|axis| axis.index == index) else { return Ok(()) };
         match axis.limits {
-            Some(limits) if !inside(limits, coordinate) => Err(Fault::new(format_args!(
+            Some(limits) if !inside(limits, coordinate) => Err(plan::LIMITS.fault(format_args!(
                 "{} would have to move to machine coordinate {}, its limits are {} to {}",
                 axis.letter,
                 axis.units.coordinate(coordinate),
@@ -213,13 +214,14 @@ impl LinearTravel {
             if inside(limits, coordinate) {
                 return Ok(());
             }
-            return Err(Fault::new(format_args!(
-                "{letter} would have to move to {} (machine coordinate), its limits are {} to {}",
-                self.units.coordinate(coordinate),
-                self.units.coordinate(limits.lower).number(),
-                self.units.coordinate(limits.upper)
-            ))
-            .help("set the part up elsewhere (`part_origin`, `machine_zero`), or use another tool length"));
+            return Err(plan::LIMITS
+                .fault(format_args!(
+                    "{letter} would have to move to {} (machine coordinate), its limits are {} to {}",
+                    self.units.coordinate(coordinate),
+                    self.units.coordinate(limits.lower).number(),
+                    self.units.coordinate(limits.upper)
+                ))
+                .help("set the part up elsewhere (`part_origin`, `machine_zero`), or use another tool length"));
         }
         let here = value + gauge;
         let (lowest, highest) = self.span.map_or((here, here), |(low, high)| (smaller(here, low), larger(here, high)));
@@ -228,12 +230,13 @@ impl LinearTravel {
         if highest - lowest <= travel + AXIS_VALUE_NOISE {
             return Ok(());
         }
-        Err(Fault::new(format_args!(
-            "up to this point the program needs {} of {letter} travel, the machine has {}",
-            self.units.coordinate(highest - lowest),
-            self.units.coordinate(travel)
-        ))
-        .help("split the program, or set the part up nearer to the rotary centre lines"))
+        Err(plan::LIMITS
+            .fault(format_args!(
+                "up to this point the program needs {} of {letter} travel, the machine has {}",
+                self.units.coordinate(highest - lowest),
+                self.units.coordinate(travel)
+            ))
+            .help("split the program, or set the part up nearer to the rotary centre lines"))
     }
 }
 

@@ -8,6 +8,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use crate::diag::code::plan;
 use crate::kinematics::{Pose, math};
 use crate::nalgebra::Vector3;
 use crate::options::{ArcForm, ArcOutput};
@@ -120,7 +121,7 @@ fn is_straight(angle_rad: f64, radius: f64, least: f64) -> bool {
 }
 
 fn cannot_be_written() -> Fault {
-    Fault::new("an arc within tolerance cannot be written")
+    plan::ARC.fault("an arc within tolerance cannot be written")
 }
 
 /// Plans an arc from the present position of the tool.
@@ -191,11 +192,12 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             return Ok(());
         }
         let degrees = self.arc.angle_rad.to_degrees();
-        Err(Fault::new(format_args!(
-            "this arc goes {degrees:.3} degrees round a circle with a radius of {}",
-            self.planner.mover.placer().units().length(radius)
-        ))
-        .help("check its sense: `--circle-sense`; if the machine holds the circle, state its travel in `[limits]`"))
+        Err(plan::ARC
+            .fault(format_args!(
+                "this arc goes {degrees:.3} degrees round a circle with a radius of {}",
+                self.planner.mover.placer().units().length(radius)
+            ))
+            .help("check its sense: `--circle-sense`; if the machine holds the circle, state its travel in `[limits]`"))
     }
 
     fn statistics(&mut self) -> &mut Statistics {

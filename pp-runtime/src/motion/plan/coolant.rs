@@ -2,10 +2,11 @@
 
 use std::io;
 
+use crate::diag::code::plan;
 use crate::motion::policy::Policy;
 use crate::program::{Coolant, Coolants};
 
-use crate::motion::fault::{Fault, Planned};
+use crate::motion::fault::Planned;
 use crate::motion::plan::abilities::Abilities;
 use crate::motion::plan::output::Output;
 use crate::motion::plan::tool::LoadedTool;
@@ -73,7 +74,7 @@ impl CoolantState {
             };
             let asks =
                 if self.request == Coolant::On { "`coolant` of the tool, or of `[defaults]`," } else { "COOLNT" };
-            return Err(Fault::new(format_args!("{asks} asks for {name}, for which this control has no code"))
+            return Err(plan::COOLANT.fault(format_args!("{asks} asks for {name}, for which this control has no code"))
                 .help(format_args!(
                     "configure the codes of the machine builder for on and off: `[control] coolant = {{ {key} = [\"M..\", \
                      \"M..\"] }}`"
@@ -118,6 +119,6 @@ fn without_pressure<S: Sink>(kind: Coolant, abilities: &Abilities, output: &mut 
         "configure its codes for on and off: `[control] coolant = {{ through_{} = [\"M..\", \"M..\"] }}`",
         word.to_lowercase()
     );
-    output.remark(Fault::new(text).help(help));
+    output.remark(plan::COOLANT.fault(text).help(help));
     Coolant::Through
 }

@@ -22,6 +22,7 @@ use std::collections::BTreeSet;
 
 use nalgebra::Vector3;
 
+use crate::diag::code::plan;
 use crate::kinematics::math;
 use crate::motion::policy::Policy;
 use crate::options::{CutterPath, StretchMode};
@@ -118,7 +119,8 @@ impl CutterCompensation {
         }
         let ended = self.end();
         Ok((!ended).then(|| {
-            Fault::new("CUTCOM/OFF without a straight feed motion in the plane before it")
+            plan::CUTTER_COMPENSATION
+                .fault("CUTCOM/OFF without a straight feed motion in the plane before it")
                 .help("nothing was compensated: check the side and the lead-in")
         }))
     }
@@ -144,10 +146,9 @@ impl CutterCompensation {
             },
             Compensating::Ends => match is_line(&step?) {
                 true => Ok(CompensatedLine::LeadOut),
-                false => Err(Fault::new(
-                    "compensation ends with a straight feed motion in its plane, but another motion follows",
-                )
-                .help("give a line in the plane as lead-out after CUTCOM/OFF")),
+                false => Err(plan::CUTTER_COMPENSATION
+                    .fault("compensation ends with a straight feed motion in its plane, but another motion follows")
+                    .help("give a line in the plane as lead-out after CUTCOM/OFF")),
             },
         }
     }
@@ -200,7 +201,7 @@ impl CutterCompensation {
         if self.state != Compensating::On {
             let when = if self.state == Compensating::Begins { "begins" } else { "ends" };
             let text = format!("compensation {when} with a straight feed motion in its plane, but an arc follows");
-            return Err(Fault::new(text).help("give lines as lead-in and lead-out"));
+            return Err(plan::CUTTER_COMPENSATION.fault(text).help("give lines as lead-in and lead-out"));
         }
         let axis = arc.end.axis.into_inner();
         let perpendicular = axis.cross(&arc.normal).norm() <= SAME_AXIS;
@@ -245,7 +246,7 @@ impl CutterCompensation {
     /// CUTCOM/LEFT, RIGHT or ON.
     fn begin(&mut self, asked: CutterSide, register: Option<u32>) -> Result<(), Fault> {
         let side = if asked == CutterSide::On {
-            self.last.ok_or_else(|| Fault::new("CUTCOM/ON without a side"))?
+            self.last.ok_or_else(|| plan::CUTTER_COMPENSATION.fault("CUTCOM/ON without a side"))?
         } else {
             asked
         };
@@ -297,10 +298,9 @@ impl CutterCompensation {
     pub(crate) fn check_end(&self) -> Result<(), Fault> {
         match self.state {
             Compensating::Off => Ok(()),
-            Compensating::Begins => {
-                Err(Fault::new("CUTCOM requests compensation, but no straight feed motion in the plane follows")
-                    .help("remove CUTCOM, or give it before the lead-in"))
-            }
+            Compensating::Begins => Err(plan::CUTTER_COMPENSATION
+                .fault("CUTCOM requests compensation, but no straight feed motion in the plane follows")
+                .help("remove CUTCOM, or give it before the lead-in")),
             Compensating::On | Compensating::Ends => Err(in_force_fault("the program ends")),
         }
     }
@@ -308,14 +308,16 @@ impl CutterCompensation {
 
 /// Fault: `what` comes while compensation is in force.
 fn in_force_fault(what: &str) -> Fault {
-    Fault::new(format_args!("cutter compensation (CUTCOM) is still active: {what}"))
+    plan::CUTTER_COMPENSATION
+        .fault(format_args!("cutter compensation (CUTCOM) is still active: {what}"))
         .help("program CUTCOM/OFF and a straight feed motion in the plane before this")
 }
 
 /// Fault: cutter compensation under tip control.
 #[cold]
 fn under_tip_control() -> Fault {
-    Fault::new("cutter compensation in the plane is not possible under tip control")
+    plan::CUTTER_COMPENSATION
+        .fault("cutter compensation in the plane is not possible under tip control")
         .help("post this program with mode axes or plane, or remove CUTCOM")
 }
 
@@ -330,19 +332,19 @@ fn check_at_rest(from: &AxisPosition, site: &CutterSite<'_>) -> Result<(), Fault
 /// Refuses CUTCOM where configuration, mode or plane do not allow it.
 fn check_set_up(policy: Policy<'_>, xy: bool) -> Result<(), Fault> {
     if policy.options.compensation.is_none() {
-        return Err(Fault::new(
-            "CUTCOM requests cutter compensation by the control, but `compensation.path` is not set",
-        )
-        .help(
-            "configure the value of D: `[compensation] path = \"centre\"` (D holds the wear) or `\"contour\"` (D \
+        return Err(plan::CUTTER_COMPENSATION
+            .fault("CUTCOM requests cutter compensation by the control, but `compensation.path` is not set")
+            .help(
+                "configure the value of D: `[compensation] path = \"centre\"` (D holds the wear) or `\"contour\"` (D \
                  holds the radius); or output CL data without CUTCOM",
-        ));
+            ));
     }
     if policy.options.mode_of_all() == Some(StretchMode::Tcp) {
         return Err(under_tip_control());
     }
     if !xy {
-        return Err(Fault::new("cutter compensation is possible in the plane of X and Y only")
+        return Err(plan::CUTTER_COMPENSATION
+            .fault("cutter compensation is possible in the plane of X and Y only")
             .help("remove CUTCOM, and output the path of the tool centre in CAM"));
     }
     Ok(())
@@ -353,14 +355,15 @@ impl CutterSite<'_> {
     fn in_program(&self, motion: &Move) -> Result<Vector3<f64>, Fault> {
         let in_plane = self.placer.mode() == StretchMode::Plane;
         let tilted = || {
-            Fault::new(
-                "cutter compensation works in the plane of X and Y, but the tool axis is not Z of the program here",
-            )
-            .help(match in_plane {
-                // The rotary axes are off the tool axis, as those with steps are.
-                true => "move the tool axis of the operation to a step in CAM",
-                false => "post this program with mode plane, or remove CUTCOM",
-            })
+            plan::CUTTER_COMPENSATION
+                .fault(
+                    "cutter compensation works in the plane of X and Y, but the tool axis is not Z of the program here",
+                )
+                .help(match in_plane {
+                    // The rotary axes are off the tool axis, as those with steps are.
+                    true => "move the tool axis of the operation to a step in CAM",
+                    false => "post this program with mode plane, or remove CUTCOM",
+                })
         };
         let (_, map) = self.placer.orthogonal_map(self.here).ok_or_else(tilted)?;
         let along = map * motion.pose.axis.into_inner();
@@ -389,18 +392,18 @@ impl CutterSite<'_> {
         match self.abilities.cutter_radius {
             CutterRadius::Register | CutterRadius::OfTool { guarded: true } => Ok(()),
             CutterRadius::WithDelta { written: true } => match self.tooling.current() {
-                Some(tool) if tool.radius_mm.is_none() => Err(Fault::new(format_args!(
+                Some(tool) if tool.radius_mm.is_none() => Err(plan::CUTTER_COMPENSATION.fault(format_args!(
                     "CUTCOM on the path of the tool centre: the radius of T{} is unknown, which the tool call must take off (DR)",
                     tool.number
                 ))
                 .help(format_args!("give `[tools.{}] diameter`, or CUTTER in the CL data", tool.number))),
                 _ => Ok(()),
             },
-            CutterRadius::WithDelta { written: false } => Err(Fault::new(
+            CutterRadius::WithDelta { written: false } => Err(plan::CUTTER_COMPENSATION.fault(
                 "CUTCOM on the path of the tool centre: the tool call must take the radius of the tool off (DR)",
             )
             .help("add `DR{radius_delta}` to the tool call in `control.tool_change`")),
-            CutterRadius::OfTool { guarded: false } => Err(Fault::new(
+            CutterRadius::OfTool { guarded: false } => Err(plan::CUTTER_COMPENSATION.fault(
                 "CUTCOM on the path of the tool centre: this control would offset it by the whole radius of the tool",
             )
             .help("output the contour in CAM, and set `[compensation] path = \"contour\"`")),
@@ -410,17 +413,18 @@ impl CutterSite<'_> {
     /// Register of the radius of the tool. `programmed`: that of the CL data.
     fn radius_register(&self, programmed: Option<u32>) -> Result<u32, Fault> {
         let Some(tool) = self.tooling.current() else {
-            return Err(Fault::new("CUTCOM before the first tool call"));
+            return Err(plan::CUTTER_COMPENSATION.fault("CUTCOM before the first tool call"));
         };
         let number = tool.number;
         let given = self.policy.set_up.tools.get(&number).and_then(|tool| tool.radius_offset).or(programmed);
         if let Some(given) =
             given.filter(|given| *given != number && self.abilities.cutter_radius != CutterRadius::Register)
         {
-            return Err(Fault::new(format_args!(
-                "T{number} is given radius register {given}, but this control takes the radius of the tool itself"
-            ))
-            .help(format_args!("remove the register from CUTCOM and `[tools.{number}] radius_offset`")));
+            return Err(plan::CUTTER_COMPENSATION
+                .fault(format_args!(
+                    "T{number} is given radius register {given}, but this control takes the radius of the tool itself"
+                ))
+                .help(format_args!("remove the register from CUTCOM and `[tools.{number}] radius_offset`")));
         }
         Ok(given.unwrap_or(number))
     }
@@ -432,13 +436,14 @@ impl CutterSite<'_> {
         let Some(radius_mm) = tool.radius_mm.filter(|_| delta && self.offsets_centre(tool)) else { return Ok(None) };
         let units = self.placer.units();
         if radius_mm > LARGEST_DELTA {
-            return Err(Fault::new(format_args!(
-                "the radius of T{} is {}, and the delta in the tool call is {} at most",
-                tool.number,
-                units.length(radius_mm),
-                units.length(LARGEST_DELTA)
-            ))
-            .help("output the contour in CAM, and set `[compensation] path = \"contour\"`"));
+            return Err(plan::CUTTER_COMPENSATION
+                .fault(format_args!(
+                    "the radius of T{} is {}, and the delta in the tool call is {} at most",
+                    tool.number,
+                    units.length(radius_mm),
+                    units.length(LARGEST_DELTA)
+                ))
+                .help("output the contour in CAM, and set `[compensation] path = \"contour\"`"));
         }
         Ok(Some(-radius_mm))
     }

@@ -11,6 +11,7 @@
 //! then by no more than necessary. For `shortest_block` no F is below the smallest that its word can hold: such a block
 //! is as long as that F makes it.
 
+use crate::diag::code::plan;
 use crate::kinematics::math::{self, larger};
 use crate::motion::policy::Policy;
 use crate::nc::Decimal;
@@ -170,7 +171,7 @@ impl Feeds {
             program::Feed::PerMinute(value) => Ok(value),
             program::Feed::PerRevolution(value) => speed_rev_per_min
                 .map(|speed| value * speed)
-                .ok_or_else(|| Fault::new("a feed per revolution needs the spindle speed")),
+                .ok_or_else(|| plan::FEED.fault("a feed per revolution needs the spindle speed")),
         }
     }
 
@@ -243,7 +244,7 @@ impl Feeds {
             return Ok(word);
         }
         let text = format!("F{} has more digits than an F word of this control", Shown(word.value()));
-        Err(Fault::new(text).help(
+        Err(plan::FEED.fault(text).help(
             "`[feed] largest` or `shortest_block` slows such blocks down; `[formats] feed_whole` is the number of digits \
              before the decimal point",
         ))
@@ -255,7 +256,7 @@ impl Feeds {
         let whole = math::log10(self.largest_inverse_time).floor() as i32 + 1;
         let decimals = (digits as i32 - whole).max(0) as u32;
         let nearest = Decimal::fixed(self.largest_inverse_time, decimals);
-        let word = nearest.map_err(|_| Fault::new("`feed.largest_inverse_time` is too large for an F word"))?;
+        let word = nearest.map_err(|_| plan::FEED.fault("`feed.largest_inverse_time` is too large for an F word"))?;
         let beyond = word.value() > self.largest_inverse_time;
         Ok(Decimal { units: word.units - i64::from(beyond), ..word })
     }
@@ -312,13 +313,14 @@ pub(crate) fn feed_key(units: Units) -> &'static str {
 #[cold]
 fn written_as_zero(feed: f64, units: Units) -> Fault {
     let key = feed_key(units);
-    Fault::new(format_args!("a feed of {} is written as F0", units.feed(feed)))
+    plan::FEED
+        .fault(format_args!("a feed of {} is written as F0", units.feed(feed)))
         .help(format_args!("check the unit of FEDRAT, or give F more decimals (`[formats] {key}`)"))
 }
 
 #[cold]
 fn too_large(feed: f64, units: Units) -> Fault {
-    Fault::new(format_args!("a feed of {} is too large for an F word", units.feed(feed)))
+    plan::FEED.fault(format_args!("a feed of {} is too large for an F word", units.feed(feed)))
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 //! hole that differs from all cycles (a first step unlike the others, a programmed retract between steps, several
 //! plates) is written as motions. A thread never is: only a cycle synchronises spindle and feed.
 
+use crate::diag::code::plan;
 use crate::kinematics::{Pose, math};
 use crate::nc::Decimal;
 use crate::options::{CycleOutput, StretchMode, ThreadFeed};
@@ -142,7 +143,7 @@ fn steps(hole: &Hole, units: Units) -> Result<impl Iterator<Item = f64>, Fault> 
             units.length(hole.depth_mm),
             units.length(later)
         );
-        return Err(Fault::new(text).help("check the step of the cycle and its unit"));
+        return Err(plan::HOLE.fault(text).help("check the step of the cycle and its unit"));
     }
     let depth = hole.depth_mm;
     // A last step of nothing but rounding is part of the step before it.
@@ -190,11 +191,11 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                     "tapping synchronises spindle and feed, which only a cycle of the control does: {}",
                     why.text()
                 );
-                Err(Fault::new(text).help(why.help()).into())
+                Err(plan::HOLE.fault(text).help(why.help()).into())
             }
             Err(why) if matches!(self.hole.drilling, Drilling::FineBore { .. }) => {
                 let text = format!("only a cycle of the control bores with an oriented spindle: {}", why.text());
-                Err(Fault::new(text).help(why.help()).into())
+                Err(plan::HOLE.fault(text).help(why.help()).into())
             }
             Err(_) => self.run_by_motions(),
         }
@@ -455,13 +456,13 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             return Ok(Err(NoCycle::NotMachineAxes));
         }
         let Some(direction) = options.bore_retract else {
-            return Err(Fault::new("the direction in which the tool leaves the wall of this bore is unknown").help(
+            return Err(plan::HOLE.fault("the direction in which the tool leaves the wall of this bore is unknown").help(
                 "set `cycles.bore_retract` to the direction away from the cutting edge where the spindle has stopped: \
                  \"+X\", \"-X\", \"+Y\" or \"-Y\"",
             ));
         };
         let Some((_, rotation)) = self.planner.spindle.running() else {
-            return Err(Fault::new("boring with the spindle off"));
+            return Err(plan::HOLE.fault("boring with the spindle off"));
         };
         let degrees = orient_rad.to_degrees();
         if !can.states_angle && degrees.abs() > NO_ORIENT_ANGLE_DEG {
@@ -469,7 +470,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                 "the machine stops the spindle at its own angle, and the CL data asks for {} degrees",
                 Shown(degrees)
             );
-            return Err(Fault::new(text).help("write ORIENT,0 and mount the tool for the angle of the machine"));
+            return Err(plan::HOLE.fault(text).help("write ORIENT,0 and mount the tool for the angle of the machine"));
         }
         let shift_mm = options.bore_shift_mm;
         if let Some(fixed) = can.fixed_shift_um.map(|shift| f64::from(shift) * 1e-3)
@@ -480,11 +481,11 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                 self.planner.mover.placer().units().length(fixed),
                 self.planner.mover.placer().units().length(shift_mm)
             );
-            return Err(Fault::new(text).help("leave `cycles.bore_shift` out"));
+            return Err(plan::HOLE.fault(text).help("leave `cycles.bore_shift` out"));
         }
         let shift = (shift_mm / self.planner.mover.placer().unit_mm()).round() as i64;
         let orient = Decimal::fixed(degrees, ORIENT_DECIMALS)
-            .map_err(|_| Fault::new("the angle at which the spindle stops is too large for a word"))?;
+            .map_err(|_| plan::HOLE.fault("the angle at which the spindle stops is too large for a word"))?;
         Ok(Ok(CannedKind::FineBore { direction, shift, orient, left: rotation == Rotation::CounterClockwise }))
     }
 
@@ -495,15 +496,15 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             (_, Some(Programmed::PerMinute(feed))) => self.planner.spindle.exact_speed().map(|exact| feed / exact),
             (_, None) => None,
         };
-        programmed.filter(|pitch| *pitch > 0.0).ok_or_else(|| Fault::new("the pitch of this thread is unknown"))
+        programmed.filter(|pitch| *pitch > 0.0).ok_or_else(|| plan::HOLE.fault("the pitch of this thread is unknown"))
     }
 
     /// The tapping cycle at the spindle speed as written.
     fn thread(&self) -> Result<CannedKind, Fault> {
         let Some((rev_per_min, rotation)) = self.planner.spindle.running() else {
-            return Err(Fault::new("tapping with the spindle off"));
+            return Err(plan::HOLE.fault("tapping with the spindle off"));
         };
-        let too_large = |_| Fault::new("the pitch or the spindle speed of this thread is too large for a word");
+        let too_large = |_| plan::HOLE.fault("the pitch or the spindle speed of this thread is too large for a word");
         let (units, formats) = (self.planner.mover.placer().units(), self.planner.policy.formats);
         let pitch = Decimal::fixed(self.pitch_mm()? / units.in_mm(), formats.pitch_decimals(units));
         Ok(CannedKind::Tap {
@@ -523,7 +524,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             | CannedKind::ChipBreak { .. }
             | CannedKind::Ream
             | CannedKind::FineBore { .. } => {
-                let feed = hole.feed.ok_or_else(|| Fault::new("a hole without feed"))?;
+                let feed = hole.feed.ok_or_else(|| plan::HOLE.fault("a hole without feed"))?;
                 self.planner.rate(Some(feed))?
             }
         };
@@ -534,7 +535,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let motion = FeedMotion::linear(length, axis_time_min);
         let pace = feeds.pace(per_minute, motion)?;
         let FeedWord::PerMinute(word) = pace.feed else {
-            return Err(Fault::new("a cycle cannot have a feed in inverse time"));
+            return Err(plan::HOLE.fault("a cycle cannot have a feed in inverse time"));
         };
         if let CannedKind::Tap { pitch, speed, .. } = kind {
             if pace.slowed_min > 0.0 {
@@ -543,7 +544,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                      `shortest_block` slows down",
                     feeds.units().feed(per_minute)
                 );
-                return Err(Fault::new(text).help("lower the spindle speed of the thread"));
+                return Err(plan::HOLE.fault(text).help("lower the spindle speed of the thread"));
             }
             self.check_pitch(self.written_pitch_mm(pitch, speed, word), speed)?;
         }
@@ -590,7 +591,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             units.length(length_mm),
             units.deviation(error_mm.abs())
         );
-        Err(Fault::new(text).help(self.pitch_remedy(pitch_mm, PITCH_ERROR * pitch_mm / length_mm, speed)))
+        Err(plan::HOLE.fault(text).help(self.pitch_remedy(pitch_mm, PITCH_ERROR * pitch_mm / length_mm, speed)))
     }
 
     /// Settings with which a pitch is off by at most a share of it.

@@ -36,6 +36,7 @@ use std::io;
 use std::ops::RangeInclusive;
 
 use crate::diag::Diagnostic;
+use crate::diag::code::plan;
 use crate::kinematics::{AnyMachine, Pose, Rotary};
 use crate::motion::modes::{ModeFollower, StretchModes};
 use crate::motion::place::UsableModes;
@@ -348,7 +349,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             self.check_without_tool(motion)?;
         }
         if self.upside_down {
-            return Err(Fault::new("every tool axis of this program points into the table").help(
+            return Err(plan::TOOL_AXIS.fault("every tool axis of this program points into the table").help(
                 "check whether the frame is upside down: rotate it in CAM or by `part_rotation`; `table_check = \
                      false` posts it unchanged",
             ));
@@ -358,18 +359,18 @@ impl<'a, S: Sink> Planner<'a, S> {
         }
         if self.spindle.running().is_none() {
             return Err(if self.spindle.is_off_requested() {
-                Fault::new("a feed motion with the spindle off").help(
+                plan::SPINDLE.fault("a feed motion with the spindle off").help(
                     "give SPINDL/ON before it for a cutting tool; a probe must not rotate: let its CL motions end in RAPID at a \
                      safe height, and the blocks of its statement in `cycles.probe` move it on, protected",
                 )
             } else {
-                Fault::new("a feed motion without spindle speed or direction since the tool call").help(
+                plan::SPINDLE.fault("a feed motion without spindle speed or direction since the tool call").help(
                     "give SPINDL/RPM,..,CLW after the tool call, or `speed` and `direction` of the tool in the configuration",
                 )
             });
         }
         if motion.feed.is_none() {
-            return Err(Fault::new("a feed motion without feed").help(
+            return Err(plan::FEED.fault("a feed motion without feed").help(
                 "give FEDRAT before it, or the feed until the first FEDRAT in the configuration: `[defaults] feed`",
             ));
         }
@@ -396,14 +397,15 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     fn check_without_tool(&self, motion: &Move) -> Result<(), Fault> {
         if self.mover.placer().has_rotary_head() {
-            return Err(Fault::new(
+            return Err(plan::TOOL.fault(
                 "a motion before the first tool call: this machine has a rotary axis in the head, so axis positions depend \
                  on the tool length",
             )
             .help("call the tool first: LOADTL/1,LENGTH,120"));
         }
         if !motion.rapid {
-            return Err(Fault::new("a feed motion before the first tool call")
+            return Err(plan::TOOL
+                .fault("a feed motion before the first tool call")
                 .help("call a tool: LOADTL/1, or give it in the configuration: `[defaults] tool`"));
         }
         Ok(())
@@ -412,7 +414,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     /// Feed of a motion, mm/min.
     #[inline(always)]
     fn rate(&self, feed: Option<program::Feed>) -> Result<f64, Fault> {
-        let feed = feed.ok_or_else(|| Fault::new("a feed motion without feed"))?;
+        let feed = feed.ok_or_else(|| plan::FEED.fault("a feed motion without feed"))?;
         let feed = Feeds::per_minute(feed, self.spindle.speed())?;
         Ok(self.feed_cap.as_ref().map_or(feed, |cap| cap.caps(feed)))
     }
@@ -552,17 +554,18 @@ impl<'a, S: Sink> Planner<'a, S> {
 fn below_floor(tip_mm: f64, floor_mm: f64, units: Units) -> Fault {
     let [tip, floor] = [tip_mm, floor_mm].map(|mm| units.deviation(mm));
     let text = format!("the tool tip moves to Z {tip}, below `floor` = {floor}");
-    Fault::new(text).help("correct the depth in CAM, or lower `floor`")
+    plan::DEPTH.fault(text).help("correct the depth in CAM, or lower `floor`")
 }
 
 /// Fault: ROTABL/NEXT before a motion that cannot rotate in that sense. `air`: the tool is out of the part.
 #[cold]
 fn sense_refused(air: bool) -> Fault {
-    Fault::new(match air {
-        true => "the sense of rotation of ROTABL/NEXT leads out of the limits of the axis",
-        false => "ROTABL/NEXT comes before a cut, which cannot rotate the table the long way round",
-    })
-    .help("remove it, or give it before a rapid or before an operation")
+    plan::COURSE
+        .fault(match air {
+            true => "the sense of rotation of ROTABL/NEXT leads out of the limits of the axis",
+            false => "ROTABL/NEXT comes before a cut, which cannot rotate the table the long way round",
+        })
+        .help("remove it, or give it before a rapid or before an operation")
 }
 
 impl<S: Sink> Stage for Planner<'_, S> {

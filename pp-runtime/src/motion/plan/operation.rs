@@ -3,6 +3,7 @@
 //! The first pass has chosen the modes and the course by the same settings. A mode that machine or control cannot carry
 //! out is refused here, where the operation begins, with its entry and key.
 
+use crate::diag::code::plan;
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::Planner;
 use crate::motion::source::{Chosen, OperationStart};
@@ -39,7 +40,7 @@ impl FeedCap {
             units.feed(self.mm_per_min),
             units.feed(feed)
         );
-        Err(Fault::new(text).help("lower the spindle speed of the thread, or raise `largest_feed`"))
+        Err(plan::FEED.fault(text).help("lower the spindle speed of the thread, or raise `largest_feed`"))
     }
 }
 
@@ -50,7 +51,7 @@ pub(crate) fn begin<S: Sink>(planner: &mut Planner<'_, S>, start: &OperationStar
     if let Some(mode) = chosen.mode
         && let Some(missing) = mode.value.of_all().and_then(|mode| planner.usable.missing(mode))
     {
-        let refused = Fault::new(missing).context(entry(mode.by, "mode", mode.value.name()));
+        let refused = plan::MODE.fault(missing).context(entry(mode.by, "mode", mode.value.name()));
         return Err(refused.help("the mode of the program, or \"auto\", may suit this operation").into());
     }
     planner.mover.set_tip_tolerance(start.tolerance_mm);

@@ -4,6 +4,7 @@
 
 use std::io;
 
+use crate::diag::code::plan;
 use crate::diag::{Diagnostic, Severity};
 use crate::program::Location;
 
@@ -115,7 +116,7 @@ impl<S: Sink> Output<S> {
     /// [`Fault`] where it may be skipped, and the control executes it all the same.
     pub(crate) fn guard(&mut self, step: &Step<'_>) -> Planned {
         if self.is_skippable() && !self.guards.in_skipped {
-            let fault = Fault::new(
+            let fault = plan::BLOCK_SKIP.fault(
                 "a guard of tool length, radius or rotary positions comes between OPSKIP/ON and OPSKIP/OFF, and the control \
                  executes its IF whatever the block skip switch is set to",
             );

@@ -6,6 +6,7 @@
 
 use nalgebra::{Point3, UnitVector3};
 
+use crate::diag::code::plan;
 use crate::kinematics::{Pose, Rotary, Side};
 use crate::program::{Event, Feed, Location, MachineFunction, Move, NewStart, Rotation, Spindle, ToolCall};
 
@@ -115,8 +116,8 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         let letter = axis.letter;
         let refused = |fault: Fault| Err(ItemError::from(fault).at(Location::default()));
         if self.planner.policy.options.rotaries.grid.contains_key(&letter) {
-            let fault =
-                Fault::new(format_args!("{letter} is indexed and does not rotate in a cut: it cannot be swept"));
+            let fault = plan::INDEXING
+                .fault(format_args!("{letter} is indexed and does not rotate in a cut: it cannot be swept"));
             return refused(fault.help(
                 "move this axis to its positions by hand at the machine, and compare its direction with the jog sheet",
             ));
@@ -129,7 +130,8 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
             }
             (Some(lower), Some(upper)) => Ok(vec![lower, upper]),
             _ if axis.side == Side::Tool => {
-                let fault = Fault::new(format_args!("the travel of {letter}, a rotary axis of the head, is unknown"));
+                let fault =
+                    plan::LIMITS.fault(format_args!("the travel of {letter}, a rotary axis of the head, is unknown"));
                 refused(fault.help(format_args!("give it in the configuration: `[limits] {letter} = [-90, 90]`")))
             }
             _ => Ok(vec![rest + turn]),
@@ -157,7 +159,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         let on = Spindle::On { speed_rev_per_min: Some(SPEED), rotation: Some(Rotation::Clockwise) };
         records::record(planner, &Event::Function(MachineFunction::Spindle(on)), true)?;
         let Some(words) = sweeps.first().and_then(|sweep| sweep.stops.first()).copied() else {
-            return Err(Fault::new("this machine has no rotary axis: there is nothing to prove").into());
+            return Err(plan::REACH.fault("this machine has no rotary axis: there is nothing to prove").into());
         };
         let axis = planner.mover.placer().axis_at(&words);
         let motion = Move { pose: Pose { tip, axis }, rapid: false, feed: Some(Feed::PerMinute(FEED)) };

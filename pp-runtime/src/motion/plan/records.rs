@@ -2,6 +2,7 @@
 
 use std::ops::RangeInclusive;
 
+use crate::diag::code::{config, plan};
 use crate::options::{OptionalStops, StretchMode, Transition};
 use crate::program::{
     BlockPlace, Dwell, Event, Interruption, Location, MachineFunction, NewStart, ReferenceGeometry, RotaryDirection,
@@ -33,7 +34,7 @@ pub(crate) fn delay<S: Sink>(planner: &mut Planner<'_, S>, dwell: Dwell) -> Plan
     }
     if !DWELL.contains(&seconds) {
         let (low, high) = (DWELL.start(), DWELL.end());
-        let fault = Fault::new(format_args!("a dwell of {seconds} s cannot be written"));
+        let fault = plan::WORD.fault(format_args!("a dwell of {seconds} s cannot be written"));
         return Err(fault.help(format_args!("give a dwell of {low} to {high} s")).into());
     }
     // The tool waits with the spindle off where SPINDL/OFF comes before.
@@ -195,7 +196,7 @@ impl<S: Sink> Records<'_, '_, S> {
         let Some(effect) = words.iter().filter(|word| word.is_in(&text)).find_map(|word| word.effect) else {
             return Ok(());
         };
-        let fault = Fault::new(format_args!(
+        let fault = plan::NC_TEXT.fault(format_args!(
             "`{}` (effect \"{}\") comes between the call of T{} and the motion after it: before the tool change or after it is not \
              stated",
             text.trim(),
@@ -320,7 +321,7 @@ impl<S: Sink> Records<'_, '_, S> {
                 "T{} is called, and T{} before anything is written: the first stays out of the program",
                 left_out.number, tool.number
             );
-            self.planner.mover.output_mut().remark(Fault::new(text));
+            self.planner.mover.output_mut().remark(plan::TOOL.fault(text));
         }
         if other {
             self.planner.spindle.change_tool();
@@ -334,7 +335,8 @@ impl<S: Sink> Records<'_, '_, S> {
         let planner = &mut *self.planner;
         let named = planner.policy.set_up.tools.get(&call.number).is_some_and(|tool| tool.name.is_some());
         if planner.abilities.tools_by_name && !named && call.number > 0 {
-            let fault = Fault::new(format_args!("T{} has no name, and tools are called by their names", call.number));
+            let fault =
+                plan::TOOL.fault(format_args!("T{} has no name, and tools are called by their names", call.number));
             return Err(fault.help(format_args!("give `[tools.{}] name` in the configuration", call.number)));
         }
         let needed = planner.needs_gauge_length();
@@ -365,7 +367,7 @@ impl<S: Sink> Records<'_, '_, S> {
         if !name.eq_ignore_ascii_case(machine.as_bytes()) {
             let name = String::from_utf8_lossy(name);
             let text = format!("the CL data was made for the machine `{name}` and is posted for {machine}");
-            let fault = Fault::new(text).help("MACHIN has no effect on the program");
+            let fault = plan::MACHINE.fault(text).help("MACHIN has no effect on the program");
             self.planner.mover.output_mut().remark(fault);
         }
     }
@@ -375,7 +377,8 @@ impl<S: Sink> Records<'_, '_, S> {
         let towards = self.planner.mover.placer().rotation_sense(turning);
         self.planner.course.set_sense(towards);
         if towards.is_none() && turning != RotaryDirection::Shortest {
-            let fault = Fault::new("ROTABL/NEXT rotates the table, and this machine has no rotary axis in the table");
+            let fault =
+                plan::COURSE.fault("ROTABL/NEXT rotates the table, and this machine has no rotary axis in the table");
             return Err(fault.help("remove it").into());
         }
         Ok(())
@@ -384,16 +387,15 @@ impl<S: Sink> Records<'_, '_, S> {
     /// Writes a block of the CL data unchanged; after it position and state of the machine are unknown.
     fn raw(&mut self, text: &[u8]) -> Planned {
         if self.planner.policy.options.lift_mm.is_some() && self.planner.selection.is_written() {
-            let fault =
-                Fault::new("a dry run writes no NC text of the CL data: it could move an axis or start the spindle");
+            let fault = plan::NC_TEXT
+                .fault("a dry run writes no NC text of the CL data: it could move an axis or start the spindle");
             return Err(fault
                 .help("remove the record; for INSERT, `--insert comment` writes a comment instead")
                 .into());
         }
         if !is_nc_text(text) {
-            let fault = Fault::new(
-                "INSERT is empty or contains characters that are not ASCII, which controls read differently",
-            );
+            let fault = plan::NC_TEXT
+                .fault("INSERT is empty or contains characters that are not ASCII, which controls read differently");
             let help = "use ASCII letters, digits and signs only, or `--insert comment`";
             return Err(fault.help(help).into());
         }
@@ -409,7 +411,7 @@ impl<S: Sink> Records<'_, '_, S> {
                 words.trim()
             );
             let help = "written at the machine retract with the spindle off; if it moves nothing, confirm it there: `harmless = true`";
-            planner.mover.output_mut().remark(Fault::new(text).help(help));
+            planner.mover.output_mut().remark(plan::NC_TEXT.fault(text).help(help));
         }
         if stands.is_some() {
             planner.come_to(SequencePlace::Standstill)?;
@@ -427,7 +429,7 @@ impl<S: Sink> Records<'_, '_, S> {
     /// unknown.
     fn probe(&mut self, blocks: &[String]) -> Planned {
         let planner = &mut *self.planner;
-        let fault = |text: &str, help: &str| Err(Fault::new(text).help(help).into());
+        let fault = |text: &str, help: &str| Err(plan::PROBE.fault(text).help(help).into());
         if planner.policy.options.lift_mm.is_some() && planner.selection.is_written() {
             return fault("a dry run does not probe: it would measure where nothing is", "post it without the dry run");
         }
@@ -474,7 +476,7 @@ impl<S: Sink> Records<'_, '_, S> {
     /// Another set-up: the part has another origin and another work offset. Its rotation is that of the source.
     fn change_set_up(&mut self, number: u32) -> Planned {
         let Some(part) = self.planner.policy.set_up.clamping(number) else {
-            return Err(Fault::new(format_args!("set-up {number} is not configured")).into());
+            return Err(config::SET_UP.fault(format_args!("set-up {number} is not configured")).into());
         };
         self.planner.mover.set_part_origin(part.part_origin);
         let word = part.work_offset;

@@ -1,6 +1,7 @@
 //! Rewinding, where no course of the rotary axes stays within their limits: the tool leaves the part, the axes rotate,
 //! and it returns to the same pose; or the tip stays in place while they rotate.
 
+use crate::diag::code::plan;
 use crate::options::Rewind;
 use crate::program::Move;
 
@@ -65,7 +66,7 @@ fn rewind_as<S: Sink>(
     let output = planner.mover.output_mut();
     output.statistics_mut().rewinds += 1;
     output.set_reason(BlockReason::Record);
-    output.remark(Fault::new(format_args!("the rotary axes are rewound here{how}: {why}")));
+    output.remark(plan::REWIND.fault(format_args!("the rotary axes are rewound here{how}: {why}")));
     Ok(())
 }
 
@@ -76,7 +77,7 @@ fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, word
     let Some(distance) = planner.policy.options.retract.distance_mm.or(out) else {
         let text = format!("the rotary axes have to be rewound out of the part here: {why}");
         let help = "give `retract.distance` or `retract.clearance` in the configuration, or CLEARP in the CL data";
-        return Err(Fault::new(text).help(help).into());
+        return Err(plan::REWIND.fault(text).help(help).into());
     };
     let turned = planner.mover.place(&here.pose, false, Some(RotaryTarget { words, sense: None }))?;
     let tip = here.pose.tip + here.pose.axis.into_inner() * distance;

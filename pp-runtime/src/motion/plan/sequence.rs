@@ -12,6 +12,7 @@
 //! "Out" and "in" are along the tool axis. At program start, after a tool change and after a stop the position of the
 //! machine is unknown.
 
+use crate::diag::code::plan;
 use crate::kinematics::Pose;
 use crate::options::Transition;
 use crate::program::{Location, Move};
@@ -58,7 +59,7 @@ impl<S: Sink> Planner<'_, S> {
             None if self.mover.retracts_along_tool() => {}
             None if led_out > LEADS_OUT => self.check_lead_out(led_out),
             None => {
-                return Err(Fault::new(
+                return Err(plan::RETRACT.fault(
                     "the tool has to leave the part here, but the CL data before this line does not retract it along its \
                      axis",
                 )
@@ -80,7 +81,7 @@ impl<S: Sink> Planner<'_, S> {
                 units.coordinate(led_out),
                 units.length(wanted)
             );
-            let fault = Fault::new(text).help("give `retract.distance`, or retract further in CAM");
+            let fault = plan::RETRACT.fault(text).help("give `retract.distance`, or retract further in CAM");
             self.mover.output_mut().remark(fault);
         }
     }
@@ -239,8 +240,8 @@ impl<S: Sink> Planner<'_, S> {
             // Whichever tool is in the spindle afterwards, this one has been looked at.
             self.come_to(SequencePlace::BlockSkip)?;
         } else {
-            let fault =
-                Fault::new("no motion, stop or NC text comes between OPSKIP/ON and OPSKIP/OFF: nothing is skipped");
+            let fault = plan::BLOCK_SKIP
+                .fault("no motion, stop or NC text comes between OPSKIP/ON and OPSKIP/OFF: nothing is skipped");
             let help = "what other records between them set holds for the blocks after OPSKIP/OFF, whether blocks are skipped \
                         or not";
             self.mover.output_mut().remark(fault.help(help));
@@ -379,7 +380,7 @@ impl<S: Sink> Planner<'_, S> {
             let help = format_args!(
                 "give `cycles.tool_position`, so that the table or the head is straight there: `{{ {places} }}`"
             );
-            self.mover.output_mut().remark(Fault::new(text).help(help));
+            self.mover.output_mut().remark(plan::TOOL.fault(text).help(help));
         }
         self.mover.take_axes_to_tool_position()
     }
@@ -449,7 +450,7 @@ impl<S: Sink> Planner<'_, S> {
         let mode = self.modes.enter();
         self.mover.set_mode(mode);
         match self.usable.missing(mode) {
-            Some(text) => Err(Fault::new(text)),
+            Some(text) => Err(plan::MODE.fault(text)),
             None => Ok(()),
         }
     }
@@ -458,7 +459,8 @@ impl<S: Sink> Planner<'_, S> {
     fn approach(&mut self, ahead: MotionAndNext<'_>, planned: Option<RotaryTarget>) -> Planned {
         let first = &Move { pose: ahead.above.unwrap_or(ahead.motion.pose), ..*ahead.motion };
         if self.policy.options.approach.distance_mm <= 0.0 && !first.rapid {
-            let fault = Fault::new("`approach.distance` = 0, and the motion to which this approach leads is a cut");
+            let fault =
+                plan::APPROACH.fault("`approach.distance` = 0, and the motion to which this approach leads is a cut");
             return Err(fault.help("program a rapid to a point above it, or give a distance").into());
         }
         self.mover.begin_approach();
@@ -533,7 +535,8 @@ fn is_straight_down(first: &Pose, next: &Next) -> Result<bool, Fault> {
         Next::Motion(next) => next,
         Next::None => return Ok(false),
         Next::Unknown => {
-            return Err(Fault::new("too many records between the first motion of an operation and the next")
+            return Err(plan::APPROACH
+                .fault("too many records between the first motion of an operation and the next")
                 .help("the approach to the first point depends on the second: move these records after both"));
         }
     };

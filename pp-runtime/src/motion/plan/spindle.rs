@@ -2,6 +2,7 @@
 
 use std::io;
 
+use crate::diag::code::plan;
 use crate::motion::policy::Policy;
 use crate::program::{Dwell, Rotation, Spindle as Command};
 
@@ -186,7 +187,8 @@ impl PlannedSpindle {
         match (dwell, self.speed().filter(|_| !self.stop_pending)) {
             (Dwell::Seconds(seconds), _) => Ok(seconds),
             (Dwell::Revolutions(revolutions), Some(speed)) => Ok(revolutions / speed * 60.0),
-            (Dwell::Revolutions(_), None) => Err(Fault::new("a dwell in spindle revolutions while the spindle is off")
+            (Dwell::Revolutions(_), None) => Err(plan::SPINDLE
+                .fault("a dwell in spindle revolutions while the spindle is off")
                 .help("give SPINDL before it, or the dwell in seconds")),
         }
     }

@@ -1,5 +1,6 @@
 //! Data of a tool from the configuration and the CL data, with the refusals and remarks where the two differ.
 
+use crate::diag::code::plan;
 use crate::motion::policy::Policy;
 use crate::nc::Decimal;
 use crate::options::Defaults;
@@ -61,12 +62,13 @@ impl LoadedTool {
         if let Some(why) = needed
             && length.is_none()
         {
-            return Err(Fault::new(format_args!("the gauge length of T{number} is unknown, and {why}"))
+            return Err(plan::TOOL_LENGTH
+                .fault(format_args!("the gauge length of T{number} is unknown, and {why}"))
                 .help(format_args!("give `[tools.{number}] length` in the configuration, or LENGTH in LOADTL")));
         }
         let offset = call.length_offset.or(given.and_then(|tool| tool.offset));
         let offset = registers.of_tool(number, offset).ok_or_else(|| {
-            Fault::new(format_args!(
+            plan::TOOL.fault(format_args!(
                 "T{number} is called with another length register, but this control takes the length from the row of the tool"
             ))
             .help(format_args!("remove the register from the CL data, or give `[tools.{number}] offset = {number}`"))
@@ -99,18 +101,21 @@ impl SpindleRequest {
             && speed > largest
         {
             let text = format!("a spindle speed of {speed} rev/min is above `spindle_max` = {largest} rev/min");
-            return Err(Fault::new(text));
+            return Err(plan::SPINDLE.fault(text));
         }
-        let word = Decimal::fixed(speed, policy.formats.speed)
-            .map_err(|_| Fault::new(format_args!("a spindle speed of {speed} rev/min is too large for an S word")))?;
+        let word = Decimal::fixed(speed, policy.formats.speed).map_err(|_| {
+            plan::SPINDLE.fault(format_args!("a spindle speed of {speed} rev/min is too large for an S word"))
+        })?;
         if word.value() >= 10_f64.powi(policy.formats.speed_whole as i32) {
-            return Err(Fault::new(format_args!(
-                "a spindle speed of {speed} rev/min has more digits than an S word of this control"
-            ))
-            .help("`[formats] speed_whole` is the number of digits before the decimal point"));
+            return Err(plan::SPINDLE
+                .fault(format_args!(
+                    "a spindle speed of {speed} rev/min has more digits than an S word of this control"
+                ))
+                .help("`[formats] speed_whole` is the number of digits before the decimal point"));
         }
         if word.units <= 0 {
-            let fault = Fault::new(format_args!("a spindle speed of {speed} rev/min is written as S0 or below"));
+            let fault =
+                plan::SPINDLE.fault(format_args!("a spindle speed of {speed} rev/min is written as S0 or below"));
             return Err(if speed > 0.0 {
                 fault.help("`[formats] speed` is the number of decimals of S")
             } else {
@@ -118,10 +123,9 @@ impl SpindleRequest {
             });
         }
         if given.is_some_and(|tool| tool.left_handed) && rotation == Rotation::Clockwise {
-            return Err(Fault::new(
-                "the tool cuts counter-clockwise (`left_handed`), but the spindle rotates clockwise",
-            )
-            .help("give SPINDL/..,CCLW, or correct the tool in the configuration"));
+            return Err(plan::SPINDLE
+                .fault("the tool cuts counter-clockwise (`left_handed`), but the spindle rotates clockwise")
+                .help("give SPINDL/..,CCLW, or correct the tool in the configuration"));
         }
         Ok(Some(ResolvedSpindle { word, exact_rev_per_min: speed, rotation }))
     }

@@ -3,6 +3,7 @@
 //! The chords deviate from a curve by no more than the tolerance; its ends are exact. Arcs and holes stay one motion
 //! each: their tool axis is constant, and the planner decides whether the control interpolates them.
 
+use crate::diag::code::plan;
 use crate::kinematics::Pose;
 use crate::motion::policy::Policy;
 use crate::nalgebra::{Point3, Vector3};
@@ -53,12 +54,13 @@ impl Curves {
     pub(crate) fn state_tolerance(&mut self, tolerance: Option<f64>) -> Result<(), Fault> {
         self.stated_mm = tolerance;
         match tolerance {
-            Some(stated) if !self.may_state(stated) => Err(Fault::new(format_args!(
-                "LINTOL/{} mm exceeds the tolerance of {} mm in the configuration, which stays in force",
-                Shown(stated),
-                Shown(self.configured_mm)
-            ))
-            .help("use `--allow-lintol` to let the CL data widen the tolerance")),
+            Some(stated) if !self.may_state(stated) => Err(plan::TOLERANCE
+                .fault(format_args!(
+                    "LINTOL/{} mm exceeds the tolerance of {} mm in the configuration, which stays in force",
+                    Shown(stated),
+                    Shown(self.configured_mm)
+                ))
+                .help("use `--allow-lintol` to let the CL data widen the tolerance")),
             Some(_) | None => Ok(()),
         }
     }
@@ -94,9 +96,9 @@ pub(crate) fn chords<E>(
         let bend = (a - b * 2.0 + c).norm().max((b - c * 2.0 + d).norm());
         let chords = (6.0 * bend / (8.0 * tolerance)).sqrt().ceil().max(1.0);
         if chords.is_nan() || chords > MOST_CHORDS {
-            return out(Err(
-                Fault::new("this curve cannot be cut into chords").help("check its knots, its points and LINTOL")
-            ));
+            return out(Err(plan::ARC
+                .fault("this curve cannot be cut into chords")
+                .help("check its knots, its points and LINTOL")));
         }
         let mut index = 1.0;
         while index <= chords {

@@ -21,6 +21,7 @@ mod settings;
 #[cfg(test)]
 mod tests;
 
+use crate::diag::code::plan;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::policy::Policy;
@@ -28,8 +29,6 @@ use crate::options::OperationChoice;
 use crate::program::{
     Arc, Event, Hole, Location, MachineFunction, Move, NewStart, ReferenceGeometry, Spline, ToolCall, ToolMotion,
 };
-
-use crate::motion::fault::Fault;
 
 pub(crate) use lookahead::Next;
 pub(crate) use operations::{Begins, MotionIndex};
@@ -254,14 +253,14 @@ impl Expansion<'_> {
     fn first_line<S: Stage>(&mut self, motion: &Move, part: LinePart, to: &mut S) -> Result<(), S::Stop> {
         if self.operations.passes_over(motion) {
             if self.operations.first_passed_over() {
-                let remark = Fault::new("this rapid is left out of the program: it comes before the first tool, and no length offset is active yet")
+                let remark = plan::TOOL.fault("this rapid is left out of the program: it comes before the first tool, and no length offset is active yet")
                     .help("call the tool before the first motion: LOADTL/1");
                 to.remark(remark.at(self.at, Severity::Warning));
             }
             return self.record(&Event::Reference(ReferenceGeometry::From(motion.pose)), to);
         }
         if self.operations.named_at().is_some_and(|from| !motion.rapid && !is_at(&from, &motion.pose)) {
-            let fault = Fault::new(
+            let fault = plan::APPROACH.fault(
                 "this operation begins with a feed motion: the safe sequence leads to its end, and the way from the last point is not cut",
             );
             let help = "if it is a cut, begin the operation at its start: RAPID to it in CAM";

@@ -4,6 +4,7 @@
 //! pattern. Two entries of one rank that set a key of one operation differently are a fault. The name of an operation
 //! is that of the last TOOL PATH before its first motion.
 
+use crate::diag::code::config;
 use crate::motion::fault::Fault;
 use crate::options::{Mode, OperationChoice, OperationEntry, OperationSettings, OperationTable, Singular, Smoothing};
 use crate::program::Location;
@@ -222,7 +223,7 @@ impl<'t> Merge<'t, '_> {
     fn conflict(&self, key: &str, one: &OperationChoice, other: &OperationChoice) -> Fault {
         let operation = named(self.operation.0, self.operation.1);
         let text = format!("{} and {} set different values of `{key}` for {operation}", one.shown(), other.shown());
-        Fault::new(text).help(format_args!(
+        config::OPERATION.fault(text).help(format_args!(
             "give this operation an entry of its own, `[operations.{}] {key}`: a number counts before a name, a name \
              before a pattern",
             self.operation.0

@@ -14,6 +14,7 @@ use crate::cl::record::{
 };
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::within_a_kilometre;
+use crate::diag::code::cl;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, Vector3};
 use crate::program::{Arc, Event, Hole, Location, Move, NewStart, ReferenceGeometry, ToolMotion};
@@ -76,7 +77,7 @@ impl RecordInterpreter {
         let of_entry = || self.options.tools.get(&number?)?.corner_radius_mm;
         let Some(radius) = self.tool.corner_radius_mm().or_else(of_entry) else {
             let entry = number.map_or_else(|| "N".to_owned(), |number| number.to_string());
-            return Err(ClFault::new(
+            return Err(cl::TOOL.cl_fault(
                 "cl_point",
                 at,
                 "the CL data programs the centre of the corner radius, and the radius of this tool is unknown",
@@ -205,7 +206,7 @@ impl RecordInterpreter {
         for point in points.points() {
             let pose = self.pose(&point, here)?;
             if !is_on(&arc, pose.tip) {
-                return Err(ClFault::new(
+                return Err(cl::ARC.cl_fault(
                     "circle",
                     points.at,
                     format!("a point of this list is not on its arc (circle of line {})", circle.line()),
@@ -254,7 +255,7 @@ impl RecordInterpreter {
 
     /// RETRCT.
     fn retract(&mut self, here: Location) -> Result<(), ClFault> {
-        let fault = |text, help| Err(ClFault::new("RETRCT", Span::WHOLE, text, help));
+        let fault = |text, help| Err(cl::POSITION.cl_fault("RETRCT", Span::WHOLE, text, help));
         let Some(plane) = self.path.clearance() else {
             return fault("RETRCT needs a clearance plane, and no CLEARP comes before it", "program CLEARP before it");
         };
@@ -297,7 +298,7 @@ impl RecordInterpreter {
     pub(crate) fn open_circle(&mut self, circle: &CircleRecord, here: Location) -> Result<(), ClFault> {
         let unit_mm = self.units.millimetres(circle.at)?;
         if self.path.take_rapid() {
-            return Err(ClFault::new(
+            return Err(cl::ARC.cl_fault(
                 "circle",
                 Span::WHOLE,
                 "RAPID before a circle: no control runs an arc at rapid",
@@ -316,7 +317,7 @@ impl RecordInterpreter {
     #[inline(always)]
     fn end_circle(&mut self, circle: &WaitingCircle, end: Pose, at: Span, here: Location) -> Result<Arc, ClFault> {
         if self.path.take_rapid() {
-            return Err(ClFault::new(
+            return Err(cl::ARC.cl_fault(
                 "circle",
                 at,
                 "RAPID before the end of an arc: no control runs an arc at rapid",
@@ -381,7 +382,7 @@ impl RecordInterpreter {
 
     fn open_curve(&mut self, here: Location) -> Result<(), ClFault> {
         if self.path.take_rapid() {
-            return Err(ClFault::new(
+            return Err(cl::ARC.cl_fault(
                 "NURBS",
                 Span::WHOLE,
                 "RAPID before a curve: it needs a feed",
@@ -475,7 +476,7 @@ impl RecordInterpreter {
             return Ok(());
         };
         if cycle.plane.is_some() && !self.coordinates.transforms().none() {
-            return Err(ClFault::new(
+            return Err(cl::HOLE.cl_fault(
                 "CYCLE",
                 at,
                 "the levels of this cycle are coordinates along the tool axis, and the coordinates are transformed",

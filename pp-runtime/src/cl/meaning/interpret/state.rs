@@ -10,6 +10,7 @@ use crate::cl::record::{
     AxisPlane, CoordinateRecord, CutterRecord, FrameBase, FrameRecord, MachineRecord, ToolCallRecord, ToolRecord,
 };
 use crate::cl::text::{ClFault, Span};
+use crate::diag::code::cl;
 use crate::program::{
     Compensation, Coolant, CutterSide, Dwell, Event, Interruption, Location, MachineFunction, NewStart,
     ReferenceGeometry, TextKind, ToolCall, Units,
@@ -73,7 +74,7 @@ impl RecordInterpreter {
 
     fn take_translation(&mut self, by: Option<[f64; 3]>, at: Span) -> Result<(), ClFault> {
         if self.dialect() == Dialect::Creo && !self.options.trans_adds {
-            return Err(ClFault::new(
+            return Err(cl::FRAME.cl_fault(
                 "TRANS",
                 at,
                 "TRANS of Creo is refused: it belongs to output in the frame of each sequence, which the file does not state",
@@ -117,7 +118,7 @@ impl RecordInterpreter {
             return Ok(());
         }
         if record.base == FrameBase::WorkpieceOrView && self.dialect() != Dialect::Autodesk {
-            return Err(ClFault::new(
+            return Err(cl::FRAME.cl_fault(
                 "MCS",
                 record.at,
                 "MCS states a frame, and whether the points after it are in that frame depends on the system that wrote it",
@@ -202,7 +203,7 @@ impl RecordInterpreter {
     fn check_compensated_path(&self, of_centre: bool, at: Span) -> Result<(), ClFault> {
         let word = |of_centre| if of_centre { "centre" } else { "contour" };
         match self.options.compensates_centre {
-            Some(given) if given != of_centre => Err(ClFault::new(
+            Some(given) if given != of_centre => Err(cl::CUTTER_COMPENSATION.cl_fault(
                 "CUTCOM",
                 at,
                 format!(
@@ -238,7 +239,7 @@ impl RecordInterpreter {
         let tool = &tool_numbers::with_names(call, &self.options, self.dialect())?;
         let is_given = || self.options.tools.get(&tool.number).is_some_and(|given| given.length_mm.is_some());
         if call.length.is_some() && tool.length.is_none() && !is_given() {
-            self.events.warn(ClFault::new(
+            self.events.warn(cl::TOOL.cl_fault(
                 "length of the body",
                 Span::WHOLE,
                 format!(
@@ -275,7 +276,7 @@ impl RecordInterpreter {
                 self.emit(here, Event::Function(MachineFunction::Coolant(coolant)));
             }
             MachineRecord::CoolantAt { kind, pressure, at } => {
-                self.events.warn(ClFault::new(
+                self.events.warn(cl::VALUE.cl_fault(
                     "coolant pressure",
                     at,
                     format!(
@@ -321,7 +322,7 @@ impl RecordInterpreter {
         if let Dwell::Seconds(seconds) = dwell
             && seconds > LONG_DELAY_S
         {
-            self.events.warn(ClFault::new(
+            self.events.warn(cl::VALUE.cl_fault(
                 "long dwell",
                 at,
                 format!("a dwell of {seconds} seconds is unusually long"),
@@ -334,7 +335,7 @@ impl RecordInterpreter {
     fn take_tolerance(&mut self, value: Option<f64>, at: Span, here: Location) -> Result<(), ClFault> {
         let unit_mm = self.units.millimetres(at)?;
         if value.is_some_and(|value| value <= 0.0) {
-            return Err(ClFault::new(
+            return Err(cl::VALUE.cl_fault(
                 "LINTOL",
                 at,
                 "LINTOL must be above 0",

@@ -5,6 +5,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::diag::code::plan;
 use crate::kinematics::math;
 use crate::motion::fault::Fault;
 use crate::motion::geometry::{Circle, ContourArc, ContourElement, InPlane, OffsetContour, OffsetMisfit};
@@ -125,7 +126,7 @@ impl Offsets {
                 let (verb, name) = if lead == Lead::In { ("begins", "lead-in") } else { ("ends", "lead-out") };
                 let length = units.length(length_mm);
                 let text = format!("compensation {verb} with a line {length} long, {than} {by}");
-                return Fault::new(text).help(match (of_centre, lead) {
+                return plan::CUTTER_COMPENSATION.fault(text).help(match (of_centre, lead) {
                     (true, _) => format!("make the {name} longer than `compensation.largest_wear`"),
                     (false, Lead::In) => "make the lead-in longer than the radius".to_owned(),
                     (false, Lead::Out) => "make the lead-out longer than the radius".to_owned(),
@@ -133,18 +134,19 @@ impl Offsets {
             }
             OffsetMisfit::InnerArc { radius_mm } => {
                 let radius = units.length(radius_mm);
-                Fault::new(format_args!("{by} does not fit into this arc with a radius of {radius}"))
+                plan::CUTTER_COMPENSATION
+                    .fault(format_args!("{by} does not fit into this arc with a radius of {radius}"))
             }
             OffsetMisfit::StraightCorner { corner_rad } => {
                 let degrees = corner_rad.abs().to_degrees();
                 let largest = site.abilities.straight_corners.map_or(0.0, |corners| corners.largest_rad.to_degrees());
-                return Fault::new(format_args!(
+                return plan::CUTTER_COMPENSATION.fault(format_args!(
                     "this control takes the corner of {degrees:.3} degrees before the motion of line {last_line} as straight on, and stops \
                      at the end of that motion with {by}"
                 ))
                 .help(format_args!("let CAM output this corner tangential, or larger than {largest:.1} degrees"));
             }
-            OffsetMisfit::Apart => Fault::new(format_args!(
+            OffsetMisfit::Apart => plan::CUTTER_COMPENSATION.fault(format_args!(
                 "{by} does not fit into the corner before this motion: the offsets of both motions do not meet"
             )),
             OffsetMisfit::Trimmed { before, length_mm, trim_mm } => {
@@ -153,7 +155,7 @@ impl Offsets {
                     false => "this motion".to_owned(),
                 };
                 let (length, trim) = (units.length(length_mm), units.length(trim_mm));
-                Fault::new(format_args!(
+                plan::CUTTER_COMPENSATION.fault(format_args!(
                     "offset by {by}, {which} would be {length} long, and its corners would take {trim} of it"
                 ))
             }

@@ -9,6 +9,7 @@ mod retract;
 
 use std::io;
 
+use crate::diag::code::plan;
 use crate::kinematics::{AnyMachine, AxisKind, Pose};
 use crate::motion::policy::Policy;
 use crate::nalgebra::Point3;
@@ -428,7 +429,8 @@ impl<'a, S: Sink> Mover<'a, S> {
             rotated.to_degrees(),
             most.to_degrees()
         );
-        Err(Fault::new(text)
+        Err(plan::POLE
+            .fault(text)
             .help("retract before this point and start a new operation, or keep the tool axis away from the pole"))
     }
 
@@ -499,7 +501,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             (Rapid::Direct, _) => {}
             (Rapid::Split, _) => self.split_rapid(motion, place)?,
             (Rapid::Feed, Some(rate)) => return self.feed_to(place, rate),
-            (Rapid::Feed, None) => return Err(Fault::new("`rapid = \"feed\"` without `rapid_feed`").into()),
+            (Rapid::Feed, None) => return Err(plan::FEED.fault("`rapid = \"feed\"` without `rapid_feed`").into()),
         }
         self.check_hidden_rotation(place)?;
         self.output.cancel_inverse_time()?;
@@ -629,7 +631,7 @@ impl<'a, S: Sink> Mover<'a, S> {
             let depth = self.feeds.units().deviation(depth);
             let text =
                 format!("a rapid moves down along the tool axis to {depth} below the lowest cut of this operation");
-            self.output.remark(Fault::new(text).help("check that the material there has been removed"));
+            self.output.remark(plan::DEPTH.fault(text).help("check that the material there has been removed"));
         }
     }
 
@@ -650,6 +652,7 @@ impl<'a, S: Sink> Mover<'a, S> {
 /// Fault: a cut that rotates the tool axis in mode `plane`.
 #[cold]
 fn rotation_in_plane_mode() -> Fault {
-    Fault::new("the tool axis rotates in this cut, which mode plane cannot do")
+    plan::MODE
+        .fault("the tool axis rotates in this cut, which mode plane cannot do")
         .help("post this program with mode tcp or axes")
 }

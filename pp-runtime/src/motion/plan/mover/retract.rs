@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::diag::code::plan;
 use crate::kinematics::AxisKind;
 use crate::options::StretchMode;
 
@@ -40,7 +41,7 @@ impl<S: Sink> Mover<'_, S> {
             self.restart(false)?;
         }
         if self.abilities.retracts_along_tool && !self.placer.retracts_along_tool() {
-            let fault = Fault::new(
+            let fault = plan::RETRACT.fault(
                 "the machine retract leads along the tool axis (M140), which a rotary axis in the head tilts, or which is not \
                  parallel to the retract axis",
             );
@@ -186,12 +187,13 @@ impl<S: Sink> Mover<'_, S> {
         match self.placer.below_retract(place, retract) {
             Some(below) if below < -self.placer.unit_mm() => {
                 let axis = self.placer.chain()[self.placer.retract_axis()].letter;
-                Err(Fault::new(format_args!(
-                    "{what} is {} above the retract position {axis} = {} (machine coordinate)",
-                    self.placer.units().coordinate(-below),
-                    self.placer.units().length(retract)
-                ))
-                .help("mount the part lower, reduce `approach.distance`, or raise `retract.position`"))
+                Err(plan::RETRACT
+                    .fault(format_args!(
+                        "{what} is {} above the retract position {axis} = {} (machine coordinate)",
+                        self.placer.units().coordinate(-below),
+                        self.placer.units().length(retract)
+                    ))
+                    .help("mount the part lower, reduce `approach.distance`, or raise `retract.position`"))
             }
             Some(_) | None => Ok(()),
         }

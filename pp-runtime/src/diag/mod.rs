@@ -14,10 +14,13 @@
 //! let text = "[limits]\nD = [0, 1]\n";
 //! let faults = Config::read::<Trunnion>(text, &LinuxCnc).expect_err("the machine has no such axis");
 //! assert_eq!(faults[0].severity, Severity::Error);
+//! assert_eq!(faults[0].code.name(), "config/unknown-key");
 //! let line = text.lines().nth(faults[0].location.line as usize - 1).expect("a line of the text");
 //! let column = faults[0].location.column as usize - 1;
 //! assert_eq!(&line[column..column + faults[0].length as usize], "D");
 //! ```
+
+pub(crate) mod code;
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -25,6 +28,8 @@ use std::fmt::{self, Display, Formatter};
 use std::ops::Deref;
 
 use crate::program::Location;
+
+pub use code::Code;
 
 /// Number of diagnostics of one kind that are listed; further ones are counted.
 pub(crate) const LISTED_OF_A_KIND: u64 = 20;
@@ -54,6 +59,8 @@ impl Severity {
 /// One error or warning, in a machinist's words, with its remedy.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
+    /// Class of the message, whatever its wording and numbers.
+    pub code: Code,
     /// Error or warning.
     pub severity: Severity,
     /// Place of the first byte concerned.
@@ -223,7 +230,15 @@ mod tests {
     fn twenty_remarks_of_a_kind_are_listed_and_the_rest_is_counted() {
         let remark = |line: u64, text: String| {
             let location = Location { line, column: 1 };
-            Diagnostic { severity: Severity::Warning, location, length: 4, text, help: None, count: 1 }
+            Diagnostic {
+                code: code::cl::ARC,
+                severity: Severity::Warning,
+                location,
+                length: 4,
+                text,
+                help: None,
+                count: 1,
+            }
         };
         let mut remarks = Remarks::default();
         (1..=100_000).for_each(|line| remarks.add(remark(line, format!("`M{line}` is {line}.5 mm away"))));
