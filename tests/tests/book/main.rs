@@ -18,6 +18,7 @@
 //! changed line, and shorten it.
 
 mod chapter;
+mod codes;
 mod folder;
 mod machines;
 mod messages;

@@ -30,7 +30,7 @@ const TOP: &str = "# Messages, one by one
 Each message was made by posting a faulty part, or by checking a damaged program. **Bold** is the message, with the numbers of
 that part; after it comes the cause, and after the arrow the remedy that is printed with it. What the message itself makes plain
 has no further remedy. Not every message is here: rarer ones have the same form, and their remedy with them.
-[When posting is refused](refused.md) explains how to read them.
+[When posting is refused](refused.md) explains how to read them; in messages as JSON each has one of the [codes](message-codes.md).
 ";
 
 #[derive(Debug, Default)]

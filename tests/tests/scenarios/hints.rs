@@ -1,6 +1,6 @@
 //! The hints of messages, as the sources have them: literal texts, and templates of `format!`.
 //!
-//! A hint is what is given as remedy: the last argument of `ClFault::new`, the argument of `.help(..)`, a field or a
+//! A hint is what is given as remedy: the last argument of `cl_fault`, the argument of `.help(..)`, a field or a
 //! variable `help`, and any argument that a function takes to such a place. Names in it are followed to their
 //! constants, variables and functions.
 
@@ -359,7 +359,7 @@ impl Found<'_> {
                 let args = inside(tree);
                 let args = parts(&args);
                 let is_method = is_mark(before(2), '.');
-                if name == "new" && is_word(before(4), "ClFault") {
+                if name == "cl_fault" {
                     args.last().into_iter().for_each(|help| self.take(help, of, 0));
                 } else if name == "help" && is_method {
                     args.iter().for_each(|help| self.take(help, of, 0));
@@ -483,8 +483,7 @@ impl Found<'_> {
             return false;
         }
         let functions = self.sources.named(name, is_mark(before(1), '.'), of);
-        name == "new" && is_word(before(3), "ClFault")
-            || functions.iter().any(|index| self.takers.iter().any(|(taker, _)| taker == index))
+        name == "cl_fault" || functions.iter().any(|index| self.takers.iter().any(|(taker, _)| taker == index))
     }
 
     fn add(&mut self, text: &str, line: usize, of: usize, depth: usize, is_part: bool) {
