@@ -7,7 +7,6 @@
 
 use serde_json::{Value as Json, json};
 
-use crate::diag::code::config;
 use crate::keys::{KeyKind, KeyReader, KeyScope, OneLine, Printed, TomlValue};
 use crate::program::Rotation;
 
@@ -88,13 +87,12 @@ impl KeyKind for MillTurnKey {
                 "spindle" => spindle = tool_spindle(r, value),
                 _ => {
                     let help = format!("its entries: {}", ENTRIES.join(", "));
-                    r.report(config::UNKNOWN_KEY, span, format!("unknown entry `{key}`"), Some(help));
+                    r.unknown_key(span, format!("unknown entry `{key}`"), Some(help));
                 }
             }
         }
         let (Some(radius), Some(modes), Some(spindle)) = (radius, modes, spindle) else {
-            r.report(
-                config::MISSING,
+            r.missing_key(
                 span,
                 "how words of X become radii, the modes and the spindle of the tool are all needed",
                 Some(FORM.to_owned()),

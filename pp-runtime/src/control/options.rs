@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::diag::code::config;
 use crate::keys::{
     AxisSet, Blocks, Bound, KeyKind, KeyReader, KeyScope, ListOf, Measure, OneLine, OneOf, PerAxis, Printed, TomlValue,
     Whole, YesNo, list, nearest, options,
@@ -379,7 +378,7 @@ impl KeyKind for AxisNames {
             let name = names.get(&axis.letter).cloned().unwrap_or_else(|| axis.letter.to_string());
             if let Some(other) = axis_of.insert(name.clone(), axis.letter) {
                 let text = format!("{other} and {} would both be named `{name}` on the control", axis.letter);
-                r.report(config::CONFLICT, value.span(), text, None);
+                r.conflict(value.span(), text, None);
             }
         }
         Some(names)
@@ -492,7 +491,7 @@ impl KeyKind for CoolantCodes {
                     Some(near) => format!("did you mean `{near}`?"),
                     None => format!("kinds of coolant: {}", list(Coolant::NAMES.into_iter(), '`')),
                 };
-                r.report(config::UNKNOWN_KEY, span, format!("unknown kind of coolant `{key}`"), Some(help));
+                r.unknown_key(span, format!("unknown kind of coolant `{key}`"), Some(help));
                 continue;
             };
             codes[kind] = OnAndOff.read(r, value);

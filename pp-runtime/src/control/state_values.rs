@@ -6,7 +6,6 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::diag::code::config;
 use crate::keys::{Bound, KeyKind, KeyReader, KeyScope, Measure, Printed, TomlValue, list, nearest};
 use crate::program::Drilling;
 
@@ -145,7 +144,7 @@ impl KeyKind for States {
                     Some(near) => format!("did you mean `{near}`?"),
                     None => format!("states: {}", list(names(), '`')),
                 };
-                r.report(config::UNKNOWN_KEY, span, format!("unknown state of a control `{key}`"), Some(help));
+                r.unknown_key(span, format!("unknown state of a control `{key}`"), Some(help));
                 continue;
             }
             if let Some(value) = VALUE.read(r, value) {

@@ -5,7 +5,6 @@ use std::ops::Range;
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::diag::code::config;
 use crate::kinematics::{Axis, AxisKind};
 
 use super::list::{Printed, printed_degrees, printed_number};
@@ -118,7 +117,7 @@ fn entries<'a>(r: &mut KeyReader<'_>, set: AxisSet, value: TomlValue<'a>) -> Vec
             Some(axis) => read.push(AxisEntry { axis, span, value }),
             None => {
                 let help = format!("its axes are {}", letters(axes, |_| true));
-                r.report(config::UNKNOWN_KEY, span, format!("`{key}` is not an axis of {machine}"), Some(help));
+                r.unknown_key(span, format!("`{key}` is not an axis of {machine}"), Some(help));
             }
         }
     }

@@ -158,12 +158,12 @@ impl<'t> KeyReader<'t> {
             let path = format!("{table}{dot}{name}");
             if !table.is_empty() && above.contains(&name.as_str()) {
                 let help = format!("`{name}` belongs before the first [section] of the file");
-                self.report(config::UNKNOWN_KEY, span, format!("unknown key `{path}`"), Some(help));
+                self.unknown_key(span, format!("unknown key `{path}`"), Some(help));
             } else if let Some(near) = nearest(&name, known.iter().copied()) {
-                self.report(config::UNKNOWN_KEY, span, format!("unknown key `{path}`; did you mean `{near}`?"), None);
+                self.unknown_key(span, format!("unknown key `{path}`; did you mean `{near}`?"), None);
             } else {
                 let help = format!("known keys are {}", list(known.iter().copied(), '`'));
-                self.report(config::UNKNOWN_KEY, span, format!("unknown key `{path}`"), Some(help));
+                self.unknown_key(span, format!("unknown key `{path}`"), Some(help));
             }
         }
     }
@@ -191,6 +191,21 @@ impl<'t> KeyReader<'t> {
     /// Reports a value that is not permitted.
     pub(crate) fn fault(&mut self, span: Range<usize>, text: impl Into<String>, help: Option<String>) {
         self.report(config::VALUE, span, text, help);
+    }
+
+    /// Reports a key that no option has.
+    pub(crate) fn unknown_key(&mut self, span: Range<usize>, text: impl Into<String>, help: Option<String>) {
+        self.report(config::UNKNOWN_KEY, span, text, help);
+    }
+
+    /// Reports a place where a key is missing.
+    pub(crate) fn missing_key(&mut self, span: Range<usize>, text: impl Into<String>, help: Option<String>) {
+        self.report(config::MISSING, span, text, help);
+    }
+
+    /// Reports a key that contradicts another one.
+    pub(crate) fn conflict(&mut self, span: Range<usize>, text: impl Into<String>, help: Option<String>) {
+        self.report(config::CONFLICT, span, text, help);
     }
 
     /// Reports a fault with its code.

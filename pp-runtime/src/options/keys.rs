@@ -3,7 +3,6 @@
 use nalgebra::{Point3, Vector3};
 use serde_json::{Value as Json, json};
 
-use crate::diag::code::config;
 use crate::keys::{
     AxisEntry, AxisSet, Bound, KeyKind, KeyReader, KeyScope, KeyTable, LengthPoint, PerAxis, Printed, QuantityKind,
     TomlValue, along, solved,
@@ -260,12 +259,7 @@ fn geometry(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
     let entries = r.entries(value);
     let [(kind, span, value)] = &entries[..] else {
         if value.get_ref().as_table().is_some() {
-            r.report(
-                config::MISSING,
-                value.span(),
-                "one of `plane`, `box` and `cylinder` is needed here",
-                Some(FORMS.to_owned()),
-            );
+            r.missing_key(value.span(), "one of `plane`, `box` and `cylinder` is needed here", Some(FORMS.to_owned()));
         }
         return None;
     };
@@ -277,12 +271,7 @@ fn geometry(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
         "box" => read_box(r, value),
         "cylinder" => read_cylinder(r, value),
         other => {
-            r.report(
-                config::UNKNOWN_KEY,
-                span.clone(),
-                format!("`{other}` is not a clearance geometry"),
-                Some(FORMS.to_owned()),
-            );
+            r.unknown_key(span.clone(), format!("`{other}` is not a clearance geometry"), Some(FORMS.to_owned()));
             None
         }
     }
@@ -317,12 +306,7 @@ fn read_cylinder(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearanc
                 };
                 centre = [r.length(x, Bound::Any)?, r.length(y, Bound::Any)?];
             }
-            other => r.report(
-                config::UNKNOWN_KEY,
-                span,
-                format!("`{other}` is not a key of a cylinder"),
-                Some(FORMS.to_owned()),
-            ),
+            other => r.unknown_key(span, format!("`{other}` is not a key of a cylinder"), Some(FORMS.to_owned())),
         }
     }
     match (radius, lower, upper) {

@@ -6,7 +6,6 @@ use std::ops::Range;
 
 use serde_json::{Value as Json, json};
 
-use crate::diag::code::config;
 use crate::keys::{
     Bound, KeyKind, KeyList, KeyReader, KeyScope, KeyTable, Keys, Measure, OneOf, Printed, TomlValue, example_entries,
     options,
@@ -173,8 +172,7 @@ impl OperationsTable {
         };
         let twice = entries.iter().find(|entry| entry.of.shown().to_lowercase() == of.shown().to_lowercase());
         if let Some(other) = twice {
-            r.report(
-                config::CONFLICT,
+            r.conflict(
                 span,
                 format!("{} and {} are for the same operations: letter case is ignored", of.shown(), other.of.shown()),
                 Some("leave one of them out".to_owned()),

@@ -5,7 +5,6 @@ use std::ops::RangeInclusive;
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::diag::code::config;
 use crate::keys::{
     AxisEntry, AxisSet, Bound, KeyKind, KeyList, KeyReader, KeyScope, KeyTable, Keys, LengthPoint, PerAxis, Printed,
     QuantityKind, TomlValue, along, example_entries, letters, list, nearest, printed_along, printed_degrees,
@@ -105,12 +104,7 @@ impl KeyKind for SetUpTable {
             let Some(number) = number(key, 2..=MOST_FRAMES) else {
                 let help =
                     "set-ups are tables with a number from 2: [set_ups.2]; the first has the keys without a table";
-                r.report(
-                    config::UNKNOWN_KEY,
-                    span,
-                    format!("`{key}` is not the number of a further set-up"),
-                    Some(help.to_owned()),
-                );
+                r.unknown_key(span, format!("`{key}` is not the number of a further set-up"), Some(help.to_owned()));
                 continue;
             };
             let mut table = KeyTable::of(r, format!("set_ups.{number}"), Some(value));
@@ -119,18 +113,17 @@ impl KeyKind for SetUpTable {
             table.close(r);
             if set_up.work_offset.is_none() {
                 let help = "give `work_offset = \"G55\"`: the operator sets it for this clamping".to_owned();
-                r.report(config::MISSING, span.clone(), format!("set-up {number} has no work offset"), Some(help));
+                r.missing_key(span.clone(), format!("set-up {number} has no work offset"), Some(help));
             }
             match (set_up.frames.is_empty(), set_up.begins.is_some()) {
                 (true, false) if alone && number == 2 => set_up.frames.push(2),
                 (true, false) => {
                     let help =
                         "give `frames = [3]`, or the name of its first operation, `begins = \"OP20\"`".to_owned();
-                    r.report(config::MISSING, span, format!("where set-up {number} begins is not known"), Some(help));
+                    r.missing_key(span, format!("where set-up {number} begins is not known"), Some(help));
                 }
                 (false, true) => {
-                    r.report(
-                        config::CONFLICT,
+                    r.conflict(
                         span,
                         format!("set-up {number} has both `frames` and `begins`"),
                         Some("give one".to_owned()),
@@ -174,7 +167,7 @@ impl KeyKind for ToolsByNumber {
             // With leading zeros two tables could describe one tool.
             let Some(number) = number(key, 1..=LARGEST_TOOL) else {
                 let help = format!("tools are tables with a number from 1 to {LARGEST_TOOL}: [tools.12]");
-                r.report(config::UNKNOWN_KEY, span, format!("`{key}` is not the number of a tool"), Some(help));
+                r.unknown_key(span, format!("`{key}` is not the number of a tool"), Some(help));
                 continue;
             };
             let mut table = KeyTable::of(r, format!("tools.{number}"), Some(value));
@@ -218,12 +211,7 @@ impl BlankCorners {
     ) -> Option<Stock> {
         let [Some(diameter), Some(bottom), Some(top)] = round else {
             let help = "diameter = 80, bottom = -40 and top = 0".to_owned();
-            r.report(
-                config::MISSING,
-                value.span(),
-                "a round blank needs its diameter, its bottom and its top",
-                Some(help),
-            );
+            r.missing_key(value.span(), "a round blank needs its diameter, its bottom and its top", Some(help));
             return None;
         };
         if corners {
@@ -260,7 +248,7 @@ impl KeyKind for BlankCorners {
         let [Some(lower), Some(upper)] = corners else {
             if lower.is_some() != upper.is_some() {
                 let help = "lower = [-50, -40, -30] and upper = [50, 40, 0]".to_owned();
-                r.report(config::MISSING, value.span(), "both corners of the blank are needed", Some(help));
+                r.missing_key(value.span(), "both corners of the blank are needed", Some(help));
             }
             return None;
         };
@@ -319,7 +307,7 @@ impl KeyKind for DimensionTable {
                     None if dimensions.is_empty() => format!("{machine} has no dimensions"),
                     None => format!("its dimensions are {}", list(names, '`')),
                 };
-                r.report(config::UNKNOWN_KEY, span, format!("`{key}` is not a dimension of {machine}"), Some(help));
+                r.unknown_key(span, format!("`{key}` is not a dimension of {machine}"), Some(help));
                 continue;
             };
             let number = match dimension.kind {
