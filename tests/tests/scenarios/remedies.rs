@@ -23,6 +23,7 @@ const SOURCES: [&str; 7] = [
     "pp-runtime/src/control",
     "pp-runtime/src/keys",
     "pp-runtime/src/motion",
+    "pp-runtime/src/options",
     "pp-runtime/src/post",
     "pp-runtime/src/set_up",
 ];
