@@ -17,7 +17,7 @@ use crate::job::{Chosen, Job};
 use crate::program::{difference, is_like, unnumbered};
 
 /// Sources whose hints are followed: folders or files.
-const SOURCES: [&str; 7] = [
+const SOURCES: [&str; 8] = [
     "pp-runtime/src/cl",
     "pp-runtime/src/config",
     "pp-runtime/src/control",
