@@ -330,6 +330,47 @@ fn the_code_map_has_every_module_and_no_other() {
     }
 }
 
+/// Stages in the order in which data passes them, of a record and of a declaration.
+const STAGES: [&[&str]; 2] = [
+    &["cl", "motion", "control", "nc"],
+    &["pp-macros", "lib.rs", "syntax", "check", "solve", "proof", "verify", "explain", "emit"],
+];
+
+#[test]
+fn the_functions_of_the_walks_exist_and_no_walk_returns_to_an_earlier_stage() {
+    let text = fs::read_to_string(workspace().join("ARCHITECTURE.md")).expect("the document");
+    let (_, walks) = text.split_once("\n## Walks\n").expect("the walks");
+    let walks: Vec<&str> = walks.split("\n### ").skip(1).collect();
+    assert_eq!(walks.len(), 5);
+    for walk in walks {
+        let (title, steps) = walk.split_once('\n').expect("a title");
+        let of_engine = title.contains("machine!");
+        let stages = STAGES[usize::from(of_engine)];
+        let source = if of_engine { "pp-macros/codegen/src" } else { "pp-runtime/src" };
+        let mut before = 0;
+        let named = |line: &str| {
+            let (number, rest) = line.split_once(". `")?;
+            number.parse::<u32>().ok()?;
+            let (file, rest) = rest.split_once("`: `")?;
+            let (function, _) = rest.split_once('`')?;
+            Some((file.to_owned(), function.to_owned()))
+        };
+        let steps: Vec<(String, String)> = steps.lines().filter_map(named).collect();
+        assert!(steps.len() >= 10, "{title}: {} steps", steps.len());
+        for (file, function) in steps {
+            let path = if file.starts_with("pp-macros") { file.clone() } else { format!("{source}/{file}") };
+            let code = fs::read_to_string(workspace().join(&path)).unwrap_or_else(|error| panic!("{path}: {error}"));
+            let name = function.rsplit("::").next().expect("a name");
+            let (open, generic) = (format!("fn {name}("), format!("fn {name}<"));
+            assert!(code.contains(&open) || code.contains(&generic), "{title}: {path} has no function {name}");
+            let stage = file.split('/').next().expect("a folder");
+            let place = stages.iter().position(|other| *other == stage).expect("a stage");
+            assert!(place >= before, "{title}: {file} returns to an earlier stage");
+            before = place;
+        }
+    }
+}
+
 #[test]
 fn every_spelling_of_a_path_is_found() {
     let modules: BTreeSet<String> = ["cl", "motion", "nc"].map(str::to_owned).into();

@@ -17,12 +17,13 @@ use crate::job::{Chosen, Job};
 use crate::program::{difference, is_like, unnumbered};
 
 /// Sources whose hints are followed: folders or files.
-const SOURCES: [&str; 7] = [
+const SOURCES: [&str; 8] = [
     "pp-runtime/src/cl",
     "pp-runtime/src/config",
     "pp-runtime/src/control",
     "pp-runtime/src/keys",
     "pp-runtime/src/motion",
+    "pp-runtime/src/options",
     "pp-runtime/src/post",
     "pp-runtime/src/set_up",
 ];
