@@ -7,7 +7,7 @@ use std::fmt::{self, Debug, Display, Formatter};
 
 /// Stable name of a class of messages, such as `cl/unknown-word`: the stage and the subject.
 ///
-/// The page *Codes of messages* of the book lists all of them.
+/// The page *Codes of the messages* of the book lists all of them.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Code(&'static CodeRow);
 

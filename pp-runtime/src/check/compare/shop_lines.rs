@@ -238,7 +238,7 @@ impl ShopLines {
 
     /// What has come more often than the places at which it is due have it.
     fn too_often(&self, at: &str, due: impl Fn(OwnPlace) -> bool) -> Vec<String> {
-        let lines = self.lines.needless(due).into_iter();
+        let lines = self.lines.too_often_for(due).into_iter();
         lines.map(|text| format!("`{text}` comes once more than it has to {at}")).collect()
     }
 

@@ -517,6 +517,16 @@ struct PlacedLine {
     times: usize,
 }
 
+impl PlacedLine {
+    /// How often it may come since it has not, at those of its places that are due; `None` where that is not known.
+    fn most(&self, tools: usize, due: impl Fn(OwnPlace) -> bool) -> Option<usize> {
+        let of_place = |(place, times): &(OwnPlace, usize)| {
+            Some(most(*place, tools).filter(|_| !self.common)? * times * usize::from(due(*place)))
+        };
+        self.places.iter().map(of_place).sum()
+    }
+}
+
 impl PlacedLines {
     /// The lines of a vocabulary that every program must have. A comment is no block, and where no word of a line is
     /// without a field, or no tool may follow, it may be left out.
@@ -566,29 +576,18 @@ impl PlacedLines {
         let tools = self.tools;
         let of_text =
             || self.by_text.possible(text).map(|index| &self.lines[index]).filter(|own| matches(&own.text, text));
-        let most_of = |own: &PlacedLine| -> Option<usize> {
-            let most =
-                own.places.iter().map(|(place, times)| Some(most(*place, tools).filter(|_| !own.common)? * times));
-            most.sum()
-        };
-        let most: Option<usize> = of_text().map(most_of).sum();
+        let most: Option<usize> = of_text().map(|own| own.most(tools, |_| true)).sum();
         of_text().next().zip(most).is_some_and(|(own, most)| own.times > most)
     }
 
     /// Lines of several places that have come more often than those of them that are due at one time. A line with
     /// fields may be that of another place.
-    pub(crate) fn needless(&self, due: impl Fn(OwnPlace) -> bool) -> Vec<String> {
-        let most_of = |own: &PlacedLine| -> Option<usize> {
-            let most = own
-                .places
-                .iter()
-                .map(|(place, times)| Some(most(*place, self.tools)? * times * usize::from(due(*place))));
-            most.sum()
-        };
+    pub(crate) fn too_often_for(&self, due: impl Fn(OwnPlace) -> bool) -> Vec<String> {
         let is_single =
             |own: &PlacedLine| self.lines.iter().filter(|other| matches(&other.text, &own.text)).count() == 1;
-        let several = self.lines.iter().filter(|own| own.places.len() > 1 && !own.common && is_single(own));
-        several.filter(|own| most_of(own).is_some_and(|most| own.times > most)).map(|own| shown(&own.text)).collect()
+        let comes_too_often = |own: &&PlacedLine| own.most(self.tools, &due).is_some_and(|most| own.times > most);
+        let several = self.lines.iter().filter(|own| own.places.len() > 1 && is_single(own));
+        several.filter(comes_too_often).map(|own| shown(&own.text)).collect()
     }
 
     /// How often work of a tool has begun or ended since none has come.
